@@ -1,0 +1,140 @@
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "base/error.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int maxLinks = 40;  // as the kernel
+
+std::string systemReason() {
+  return std::strerror(errno);
+}
+
+// Closes on every way out of readFile.
+struct Descriptor {
+  int value;
+  ~Descriptor() {
+    if (value >= 0) ::close(value);
+  }
+};
+
+std::string mebibytes(std::size_t bytes) {
+  return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB";
+}
+
+}  // namespace
+
+FileBytes readFile(const fs::path& path, std::size_t maxBytes, std::string_view limitHelp) {
+  const std::string name = path.string();
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.value < 0) throw Error("cannot open: " + systemReason(), name);
+  struct stat info {};
+  if (::fstat(file.value, &info) != 0) throw Error("cannot read: " + systemReason(), name);
+  if (S_ISDIR(info.st_mode)) throw Error("expected a file, got a folder", name);
+
+  const auto refuse = [&](const std::string& size) {
+    std::string help = limitHelp.empty() ? "" : "; " + std::string(limitHelp);
+    throw Error("expected at most " + mebibytes(maxBytes) + ", got " + size + help, name);
+  };
+  const bool sizeKnown = S_ISREG(info.st_mode) && info.st_size > 0;
+  if (sizeKnown && static_cast<std::size_t>(info.st_size) > maxBytes) {
+    refuse(mebibytes(static_cast<std::size_t>(info.st_size)));
+  }
+
+  // One spare byte shows the end of the file without growing once more; one is for the closing 0.
+  std::size_t capacity = (sizeKnown ? static_cast<std::size_t>(info.st_size) : 64 * 1024) + 2;
+  FileBytes bytes{std::unique_ptr<char[]>(new char[capacity]), 0};
+  while (true) {
+    if (bytes.size + 1 == capacity) {
+      capacity *= 2;
+      std::unique_ptr<char[]> larger(new char[capacity]);
+      std::memcpy(larger.get(), bytes.data.get(), bytes.size);
+      bytes.data = std::move(larger);
+    }
+    const ssize_t got = ::read(file.value, bytes.data.get() + bytes.size, capacity - 1 - bytes.size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error("cannot read: " + systemReason(), name);
+    if (got == 0) break;
+    bytes.size += static_cast<std::size_t>(got);
+    if (bytes.size > maxBytes) refuse("more");
+  }
+  bytes.data[bytes.size] = 0;
+  return bytes;
+}
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+  std::error_code ignored;
+  target_ = path_;
+  for (int links = 0; fs::is_symlink(target_, ignored); ++links) {
+    errno = ELOOP;
+    if (links == maxLinks) fail(systemReason());
+    target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
+  }
+  const fs::file_status status = fs::status(target_, ignored);
+  if (fs::is_directory(status)) throw Error("cannot write: expected a file, got a folder", path_.string());
+  if (!target_.has_filename()) throw Error("cannot write: expected the name of a file", path_.string());
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(systemReason());
+    return;
+  }
+  if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(systemReason());
+
+  std::string name = target_.parent_path() / ".";
+  name += target_.filename().string() + ".XXXXXX";
+  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) fail(systemReason());
+  temporary_ = name;
+  // mkstemp makes the file private; give it the old file's mode, or what the umask says for a new one.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  const mode_t mode = fs::exists(status) ? static_cast<mode_t>(status.permissions()) : (0666 & ~mask);
+  ::fchmod(descriptor_, mode);
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(systemReason());
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::commit() {
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(systemReason());
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(systemReason());
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(systemReason());
+  temporary_.clear();
+}
+
+void AtomicFile::fail(const std::string& what) const {
+  throw Error("cannot write: " + what, path_.string());
+}
+
+void writeFile(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+}  // namespace anamorph

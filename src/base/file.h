@@ -1,0 +1,51 @@
+// Whole files in, whole files out. A file is replaced atomically: until commit() succeeds the old one is
+// untouched, so a full disk or a crash never costs what was saved before.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace anamorph {
+
+/// The bytes of a file, followed by one 0 that does not count.
+struct FileBytes {
+  std::unique_ptr<char[]> data;
+  std::size_t size = 0;
+
+  std::string_view view() const { return {data.get(), size}; }
+};
+
+/// Reads a regular file (or a pipe). Throws Error when it cannot, or when it is larger than `maxBytes`;
+/// `limitHelp` then tells how to raise the limit.
+FileBytes readFile(const std::filesystem::path& path, std::size_t maxBytes, std::string_view limitHelp = {});
+
+/// Writes a temporary file beside `path`, and on commit() flushes it to disk and renames it over `path`.
+/// A link is followed; a device or a pipe is written to directly. Without commit() nothing is left behind.
+class AtomicFile {
+ public:
+  /// Throws Error when the folder does not exist, cannot be written to, or `path` is a folder.
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Throws Error, for example when the disk is full.
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const;
+
+  std::filesystem::path path_;       // what the caller named, for messages
+  std::filesystem::path target_;     // behind links
+  std::filesystem::path temporary_;  // empty: written directly
+  int descriptor_ = -1;
+};
+
+/// AtomicFile with one write.
+void writeFile(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace anamorph

@@ -1,0 +1,32 @@
+// How a long stage tells how far it is, and learns that nobody wants its result any more.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace anamorph {
+
+/// Shared by who asks and who works; copies refer to the same request. Safe from any thread.
+class CancelToken {
+ public:
+  void cancel() const { cancelled_->store(true, std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_->load(std::memory_order_relaxed); }
+
+ private:
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+struct Progress {
+  std::function<void(double)> report;  ///< called with a share in 0..1, from one thread at a time; may be empty
+  CancelToken token;
+
+  /// Reports and returns whether to go on.
+  bool update(double share) const {
+    if (report) report(share);
+    return !token.cancelled();
+  }
+  bool cancelled() const { return token.cancelled(); }
+};
+
+}  // namespace anamorph
