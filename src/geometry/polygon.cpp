@@ -1,0 +1,160 @@
+#include "geometry/polygon.h"
+
+#include <fmt/format.h>
+
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/check.h"
+
+namespace anamorph {
+namespace {
+
+using Point2 = glm::dvec2;
+
+// Twice the signed area of the triangle: positive when counter-clockwise.
+double orientation(const Point2& a, const Point2& b, const Point2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Twice the area vector of the polygon.
+Vector newellNormal(const PointArray& points, std::span<const std::uint32_t> corners) {
+  Vector normal{0};
+  const Point origin = points[corners[0]];
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal += glm::cross(points[corners[i]] - origin, points[corners[i + 1]] - origin);
+  }
+  return normal;
+}
+
+// The polygon seen from its front, counter-clockwise: the axis nearest to the normal is left out, which
+// unlike a rotation changes no digit of the coordinates.
+std::vector<Point2> project(const PointArray& points, std::span<const std::uint32_t> corners) {
+  const Vector normal = newellNormal(points, corners);
+  const Vector size = glm::abs(normal);
+  const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+  int right = (axis + 1) % 3, up = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(right, up);
+  std::vector<Point2> flat;
+  flat.reserve(corners.size());
+  for (const std::uint32_t corner : corners) {
+    const Point p = points[corner];
+    flat.emplace_back(p[right], p[up]);
+  }
+  return flat;
+}
+
+// A polygon may come back to a corner that it had before.
+void appendTriangle(const Triangle& t, std::vector<Triangle>& triangles) {
+  if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+}
+
+// The corners that are not cut off yet, as a ring.
+class EarClipper {
+ public:
+  EarClipper(std::span<const std::uint32_t> corners, std::vector<Point2> flat)
+      : corners_(corners), flat_(std::move(flat)), next_(corners.size()), previous_(corners.size()) {
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      next_[i] = (i + 1) % corners_.size();
+      previous_[next_[i]] = i;
+    }
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (!isConvex(i)) reflex_.push_back(i);
+    }
+  }
+
+  void clipAll(std::vector<Triangle>& triangles) {
+    std::size_t corner = 1;
+    std::size_t failures = 0;
+    for (std::size_t left = corners_.size(); left > 3; --left) {
+      while (failures < left && !isEar(corner)) {
+        corner = next_[corner];
+        ++failures;
+      }
+      // A whole round without an ear: the polygon is not simple, and any corner is as good as another.
+      if (failures < left) failures = 0;
+      appendTriangle(triangleAt(corner), triangles);
+      cutOff(corner);
+      // Every other corner is tried first, which makes better triangles than a fan.
+      corner = failures == 0 ? next_[next_[corner]] : next_[corner];
+    }
+    appendTriangle(triangleAt(corner), triangles);
+  }
+
+ private:
+  Triangle triangleAt(std::size_t i) const {
+    return {corners_[previous_[i]], corners_[i], corners_[next_[i]]};
+  }
+
+  bool isConvex(std::size_t i) const {
+    return orientation(flat_[previous_[i]], flat_[i], flat_[next_[i]]) > 0;
+  }
+
+  // Only a corner that is not convex can be the first to reach into the triangle.
+  bool isEar(std::size_t i) const {
+    if (!isConvex(i)) return false;
+    const Point2 a = flat_[previous_[i]], b = flat_[i], c = flat_[next_[i]];
+    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t other) {
+      const Point2 p = flat_[other];
+      // Corners in the same place (a polygon with a slit to a hole) do not block each other.
+      if (p == a || p == b || p == c) return false;
+      return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
+    });
+  }
+
+  void cutOff(std::size_t i) {
+    const std::size_t before = previous_[i], after = next_[i];
+    next_[before] = after;
+    previous_[after] = before;
+    std::erase_if(reflex_, [&](std::size_t other) {
+      return other == i || ((other == before || other == after) && isConvex(other));
+    });
+  }
+
+  std::span<const std::uint32_t> corners_;
+  std::vector<Point2> flat_;
+  std::vector<std::size_t> next_, previous_;
+  std::vector<std::size_t> reflex_;  // the corners that are not convex
+};
+
+}  // namespace
+
+std::string problemWithPolygon(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits) {
+  if (corners < 3) return fmt::format("expected at least three corners, got {}", corners);
+  if (corners > maxPolygonCorners) {
+    return fmt::format("expected at most {} corners, got {}", maxPolygonCorners, corners);
+  }
+  const std::size_t triangles = before.corners.size() - 2 * before.sizes.size() + corners - 2;
+  if (triangles > limits.maxTriangles()) return limits.tooManyTriangles();
+  return {};
+}
+
+void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t> corners,
+                        std::vector<Triangle>& triangles) {
+  CHECK(corners.size() <= maxPolygonCorners);
+  std::vector<std::uint32_t> ring(corners.begin(), corners.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+  if (ring.size() < 3) return;
+  EarClipper(ring, project(points, ring)).clipAll(triangles);
+}
+
+std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(polygons.corners.size() - std::min(polygons.corners.size(), 2 * polygons.sizes.size()));
+  const std::uint32_t* first = polygons.corners.data();
+  for (const std::uint32_t size : polygons.sizes) {
+    if (size == 3) {  // nearly always
+      appendTriangle({first[0], first[1], first[2]}, triangles);
+    } else {
+      triangulatePolygon(points, {first, size}, triangles);
+    }
+    first += size;
+  }
+  return triangles;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,39 @@
+// Polygons into triangles by ear clipping (Meisters 1975: every simple polygon has two ears): a corner whose
+// triangle lies inside the polygon is cut off until three corners are left. It is done in the plane of the
+// polygon, seen along its mean normal (Newell's formula), so that polygons need not be quite flat. Concave
+// ones come out right; of a polygon that crosses itself or has no area something sensible is made: always the
+// same number of triangles.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/mesh_files.h"
+
+namespace anamorph {
+
+/// Polygons as files have them: the corner indices of all of them in one array, and how many each one has.
+struct PolygonSoup {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> sizes;
+};
+
+/// More corners in one polygon than this are taken for damage; ear clipping takes quadratic time.
+constexpr std::size_t maxPolygonCorners = 10'000;
+
+/// What speaks against adding a polygon of so many corners to those read before, in the words of an Error;
+/// empty when nothing does.
+std::string problemWithPolygon(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits);
+
+/// Appends triangles with the polygon's own orientation to `triangles`. Repeated corners in a row are left
+/// out first; n >= 3 corners give n - 2 triangles, less those with the same corner twice.
+void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t> corners,
+                        std::vector<Triangle>& triangles);
+
+/// All polygons, in their order. Their indices must be valid.
+std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons);
+
+}  // namespace anamorph

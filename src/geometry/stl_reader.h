@@ -1,0 +1,17 @@
+// STL, text and binary. STL has no indices: every triangle repeats its corners, so corners with equal
+// coordinates are welded. Its normals and attributes are skipped; the order of the corners says which side is
+// outside.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "geometry/mesh_files.h"
+
+namespace anamorph {
+
+/// The welded mesh in an STL file's bytes, as loadMesh promises; `file` is the name for messages. Throws
+/// Error.
+Mesh readStl(std::string_view bytes, const std::string& file, const MeshLimits& limits = {});
+
+}  // namespace anamorph

@@ -1,0 +1,45 @@
+// What the mesh tests share: the text of an Error, and meshes to write and read.
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "base/error.h"
+#include "geometry/mesh.h"
+
+namespace anamorph::testing {
+
+/// What the Error says that `body` throws, or "no error".
+template <typename Body>
+std::string errorText(const Body& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Coordinates of all magnitudes that a file may hold, awkward ones among them, and arbitrary valid
+/// triangles.
+inline Mesh makeRandomMesh(std::mt19937_64& random) {
+  std::uniform_int_distribution<std::uint32_t> size(3, 40);
+  std::uniform_real_distribution<double> mantissa(-1, 1);
+  std::uniform_int_distribution<int> exponent(-330, 8), kind(0, 9);
+  const auto coordinate = [&]() -> double {
+    const double awkward[] = {0.0, -0.0, 5e-324, 1e9, -1e9, 0.1, 1.0 / 3};
+    if (kind(random) == 0) return awkward[random() % std::size(awkward)];
+    return mantissa(random) * (kind(random) < 5 ? 10 : std::pow(10.0, exponent(random)));
+  };
+  Mesh mesh;
+  const std::uint32_t count = size(random);
+  for (std::uint32_t i = 0; i < count; ++i)
+    mesh.positions.push_back({coordinate(), coordinate(), coordinate()});
+  for (std::uint32_t i = size(random); i > 0; --i) {
+    const auto a = static_cast<std::uint32_t>(random() % count);
+    mesh.triangles.push_back({a, (a + 1) % count, (a + 2) % count});
+  }
+  return mesh;
+}
+
+}  // namespace anamorph::testing

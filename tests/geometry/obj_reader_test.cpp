@@ -1,0 +1,144 @@
+#include "geometry/obj_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/error_text.h"
+#include "geometry/polygon.h"
+
+namespace anamorph {
+namespace {
+
+using testing::errorText;
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+Mesh read(const std::string& text, const MeshLimits& limits = {}) {
+  return readObj(text, "m.obj", limits);
+}
+
+std::vector<Triangle> trianglesOf(const std::string& faces) {
+  return read(square + faces).triangles;
+}
+
+TEST(ObjReader, TrianglesQuadsAndPolygons) {
+  const std::vector<Triangle> first{{0, 1, 2}};
+  EXPECT_EQ(trianglesOf("f 1 2 3\n"), first);
+  EXPECT_EQ(trianglesOf("f 1 2 3 4\n"), (std::vector<Triangle>{{0, 1, 2}, {2, 3, 0}}));
+  EXPECT_EQ(trianglesOf("f 1 2 3\nf 1 3 4\n"), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(read("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n").triangles.size(), 3u);
+}
+
+TEST(ObjReader, ConcaveQuadsAreCutInside) {
+  const Mesh mesh = read("v -1 -1 0\nv 0 0 0\nv 1 -1 0\nv 0 2 0\nf 1 2 3 4\n");
+  for (const Triangle& t : mesh.triangles) EXPECT_GT(areaVector(mesh.positions, t).z, 0);
+}
+
+TEST(ObjReader, EveryFormOfAFace) {
+  const std::vector<Triangle> first{{0, 1, 2}};
+  for (const char* face :
+       {"f 1 2 3", "f 1/1 2/2 3/3", "f 1/1/1 2/2/2 3/3/3", "f 1//1 2//2 3//3", "f 1/ 2/ 3/", "f -4 -3 -2",
+        "f -4/-1/-1 -3/-1/-1 -2/-1/-1", "f 1/99/99 2/99/99 3/99/99", "  \tf\t1  2\t3 \t",
+        "f 1 2 3 # a comment", "f 1 2 \\\n3", "f 1 \\\r\n 2 \\\r\n 3\r", "f 01 02 03",
+        "s 1\nf 1 2 3\ng a\no b\nusemtl \xff\xfe\nl 1 2\np 1"}) {
+    EXPECT_EQ(trianglesOf(face), first) << face;
+    EXPECT_EQ(trianglesOf(std::string(face) + "\n"), first) << face;
+  }
+}
+
+TEST(ObjReader, NegativeIndicesCountFromTheVerticesAbove) {
+  const Mesh mesh = read(square + "f -4 -3 -2\n" + square + "f -4 -3 -2\nf 1 -1 -8\nv 9 9 9\n");
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {4, 5, 6}}));
+  EXPECT_EQ(mesh.positions.size(), 9u);
+}
+
+TEST(ObjReader, FacesMayComeBeforeTheirVertices) {
+  EXPECT_EQ(read("f 1 2 3\n" + square).triangles, (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST(ObjReader, LineEndsByteOrderMarkAndBlanksDoNotMatter) {
+  const Mesh expected = read(square + "f 1 2 -1\n");
+  EXPECT_EQ(read("\xEF\xBB\xBF" + square + "f 1 2 -1"), expected);
+  for (const std::string end : {"\r\n", "\r", " \t\n", "\n\n", "\n# x\n", "\n   \n"}) {
+    std::string text;
+    for (const char c : square + "f 1 2 -1\n") c == '\n' ? text += end : text += c;
+    EXPECT_EQ(read(text), expected) << end;
+  }
+}
+
+TEST(ObjReader, WhatFollowsThePositionIsSkipped) {
+  const Mesh mesh =
+      read("v 1 2 3 1.0\nv\t4\t5\t6 0.1 0.2 0.3\n  v +7 .5 -1e-2 nan\nvn 1 nan 0\nvt inf\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions[0], Point(1, 2, 3));
+  EXPECT_EQ(mesh.positions[1], Point(4, 5, 6));
+  EXPECT_EQ(mesh.positions[2], Point(7, 0.5, -0.01));
+}
+
+TEST(ObjReader, EqualPositionsAndUnusedOnesStay) {
+  EXPECT_EQ(read(square + square + "f 1 2 3\n").positions.size(), 8u);
+}
+
+TEST(ObjReader, CoordinatesAreCorrectlyRounded) {
+  const Mesh mesh = read(
+      "v 0.1234567890123456 2.2250738585072011e-308 179769313.48623157\n"
+      "v 9007199254740993e-16 0.3333333333333333 -7.0385307e-26\nv 5e-324 1e-400 0.1\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions[0], Point(0.1234567890123456, 2.2250738585072011e-308, 179769313.48623157));
+  EXPECT_EQ(mesh.positions[1], Point(9007199254740993e-16, 0.3333333333333333, -7.0385307e-26));
+  EXPECT_EQ(mesh.positions[2], Point(5e-324, 0, 0.1));
+}
+
+TEST(ObjReader, FacesOfFewerThanThreeDifferentCornersGiveNothing) {
+  EXPECT_TRUE(trianglesOf("f 1 1 1\n").empty());
+  EXPECT_EQ(trianglesOf("f 1 2 2\nf 1 2 2 3\n"), (std::vector<Triangle>{{0, 1, 2}}));
+}
+
+TEST(ObjReader, BadLinesAreNamed) {
+  const std::string three = "expected three numbers of magnitude at most 1e9, got ";
+  const std::string indices = "expected vertex indices such as 3 or 3/1/2, got ";
+  const std::pair<std::string, std::string> cases[] = {
+      {"v 1 2", "line 1: " + three + "\"1 2\""},
+      {"v", "line 1: " + three + "\"\""},
+      {"# x\n\nv 1 nan 3", "line 3: " + three + "\"1 nan 3\""},
+      {"v 1 2 inf\r\n", "line 1: " + three + "\"1 2 inf\""},
+      {"v 1e999 0 0", "line 1: " + three + "\"1e999 0 0\""},
+      {"v 1e10 0 0", "line 1: " + three + "\"1e10 0 0\""},
+      {"v 1,5 2 3", "line 1: " + three + "\"1,5 2 3\""},
+      {"v 0x10 2 3", "line 1: " + three + "\"0x10 2 3\""},
+      {"v a b c", "line 1: " + three + "\"a b c\""},
+      {square + "f 1 2", "line 5: expected at least three corners, got 2"},
+      {square + "f", "line 5: expected at least three corners, got 0"},
+      {square + "f  \t", "line 5: expected at least three corners, got 0"},
+      {square + "f 0 1 2", "line 5: expected vertex indices from 1 on, or negative ones, got 0"},
+      {square + "f 1 2 -5", "line 5: expected a vertex above this line, got -5 after 4 vertices"},
+      {"f -1 -2 -3", "line 1: expected a vertex above this line, got -1 after 0 vertices"},
+      {square + "f 1 2 3\n\nf 1 2 \\\n 5\nf 1 2 3", "line 7: expected vertex indices up to 4, got 5"},
+      {square + "f 1 2 3 4\nf 1 2 999999999", "line 6: expected vertex indices up to 4, got 999999999"},
+      {square + "f 1 2 2147483648", "line 5: " + indices + "\"1 2 2147483648\""},
+      {square + "f 1 2 4294967299", "line 5: " + indices + "\"1 2 4294967299\""},
+      {square + "f 1 2 99999999999999999999", "line 5: " + indices + "\"1 2 99999999999999999999\""},
+      {square + "f 1 2 x", "line 5: " + indices + "\"1 2 x\""},
+      {square + "f 1 2 3.5", "line 5: " + indices + "\"1 2 3.5\""},
+      {square + "f 1 2 nan", "line 5: " + indices + "\"1 2 nan\""},
+      {square + "f 1 2 /3", "line 5: expected vertex indices from 1 on, or negative ones, got 0"},
+      {square + "f 1 2 -", "line 5: expected vertex indices from 1 on, or negative ones, got 0"},
+      {square + "f 1/1/1/1 2 3", "line 5: expected vertex indices from 1 on, or negative ones, got 0"}};
+  for (const auto& [text, message] : cases) EXPECT_EQ(errorText([&] { read(text); }), "m.obj: " + message);
+}
+
+TEST(ObjReader, LimitsAreNamed) {
+  EXPECT_EQ(errorText([] { read(square, {.maxVertices = 3}); }),
+            "m.obj: line 4: expected at most 3 vertices; --max-vertices raises the limit");
+  std::string text = square;
+  for (int i = 0; i < 9; ++i) text += "f 1 2 3\n";
+  EXPECT_EQ(errorText([&] { read(text, {.maxVertices = 4}); }),
+            "m.obj: line 13: expected at most 8 triangles; --max-vertices raises the limit");
+}
+
+TEST(ObjReader, MoreCornersThanAnyPolygonHas) {
+  std::string face = "f";
+  for (std::size_t i = 0; i <= maxPolygonCorners; ++i) face += " 1";
+  EXPECT_EQ(errorText([&] { read(square + face); }),
+            "m.obj: line 5: expected at most 10000 corners, got 10001");
+}
+
+}  // namespace
+}  // namespace anamorph
