@@ -1,0 +1,49 @@
+#include "optics/optic.h"
+
+#include "optics/reflect.h"
+
+namespace anamorph {
+namespace {
+
+// In lengths of the ray sent: far above rounding, far below what an image shows. A hit nearer than this is
+// the point the ray starts from.
+constexpr double sameSurfaceGap = 1e-9;
+
+}  // namespace
+
+const char* pathStatusName(PathStatus status) {
+  constexpr const char* names[] = {"mapped", "missesMirror", "inFrontOfMirror", "grazing", "hitsMirrorAgain"};
+  return names[static_cast<int>(status)];
+}
+
+OpticPath followRay(const Optic& optic, const Ray& ray) {
+  OpticPath path;
+  const auto hit = intersect(optic.shape, ray);
+  if (!hit) return path;
+  path.points[0] = hit->point;
+  path.normals[0] = hit->normal;
+  path.pointCount = 1;
+  path.travelled = hit->t;
+  path.sine = -glm::dot(hit->normal, ray.direction) / glm::length(ray.direction);
+  path.exit = {hit->point, reflect(ray.direction, hit->normal)};
+  return path;
+}
+
+PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength) {
+  if (path.pointCount == 0) return PathStatus::missesMirror;
+  if (path.travelled > 1) return PathStatus::inFrontOfMirror;
+  if (path.sine < grazingSine) return PathStatus::grazing;
+  const auto again = intersect(optic.shape, path.exit, sameSurfaceGap);
+  if (again && again->t < exitLength) return PathStatus::hitsMirrorAgain;
+  return PathStatus::mapped;
+}
+
+bool reversesHandedness(const Optic& optic) {
+  switch (optic.kind) {
+    case OpticKind::mirror:
+      return true;
+  }
+  return false;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,152 @@
+#include "optics/mirror_shapes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "optics/optic.h"
+#include "random_scene.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+TEST(MirrorShapes, PlaneIsHitInsideItsQuadOnly) {
+  const PlaneMirror plane;  // x and z from -1 to 1 at y = 0
+  const auto hit = intersect(plane, {{0.5, -2, 0.25}, {0, 1, 0}});
+  ASSERT_TRUE(hit);
+  EXPECT_DOUBLE_EQ(hit->t, 2);
+  EXPECT_EQ(hit->point, Point(0.5, 0, 0.25));
+  EXPECT_EQ(hit->normal, Direction(0, -1, 0));
+  EXPECT_FALSE(intersect(plane, {{1.5, -2, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(intersect(plane, {{0, -2, 0}, {0, -1, 0}}));
+  EXPECT_FALSE(intersect(plane, {{0, -2, 0}, {1, 0, 0}})) << "parallel to the plane";
+}
+
+TEST(MirrorShapes, BothSidesOfThePlaneReflect) {
+  const auto hit = intersect(PlaneMirror{}, {{0, 3, 0}, {0, -1, 0}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->normal, Direction(0, 1, 0));
+}
+
+TEST(MirrorShapes, DirectionLengthIsTheUnitOfT) {
+  const auto hit = intersect(SphereMirror{Point(0), 1}, {{0, -5, 0}, {0, 8, 0}});
+  ASSERT_TRUE(hit);
+  EXPECT_DOUBLE_EQ(hit->t, 0.5);
+  EXPECT_EQ(hit->normal, Direction(0, -1, 0));
+}
+
+TEST(MirrorShapes, CylinderEndsAtItsEnds) {
+  const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
+  EXPECT_TRUE(intersect(tube, {{0, -5, 1.9}, {0, 1, 0}}));
+  EXPECT_FALSE(intersect(tube, {{0, -5, 2.1}, {0, 1, 0}}));
+  EXPECT_FALSE(intersect(tube, {{0, -5, -0.1}, {0, 1, 0}}));
+  EXPECT_FALSE(intersect(tube, {{0, 0, -5}, {0, 0, 1}})) << "along the axis";
+}
+
+TEST(MirrorShapes, OpenTubeIsHitFromInsideThroughItsEnd) {
+  const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
+  const auto hit = intersect(tube, {{0, -2, 3}, glm::normalize(Vector(0, 1, -0.6))});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.y, 1, 1e-12) << "over the near rim, on to the far wall";
+  EXPECT_NEAR(hit->normal.y, -1, 1e-12);
+}
+
+TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
+  for (const ShapeKind kind : allShapeKinds) {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+      SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
+      Random random(seed);
+      const RandomScene scene = makeRandomScene(kind, random);
+      const auto hit = intersect(scene.optic.shape, {scene.eye, scene.onMirror - scene.eye});
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(hit->t, 1, 1e-12);
+      EXPECT_LT(glm::length(hit->point - scene.onMirror), 1e-12 * 40);
+      EXPECT_LT(glm::length(hit->normal - scene.normal), 1e-12);
+      EXPECT_NEAR(glm::length(hit->normal), 1, 1e-12);
+    }
+  }
+}
+
+TEST(MirrorShapes, TessellationLiesOnTheSurface) {
+  Random random(1);
+  for (const ShapeKind kind : allShapeKinds) {
+    const RandomScene scene = makeRandomScene(kind, random);
+    const Mesh mesh = tessellate(scene.optic.shape, 24);
+    ASSERT_FALSE(mesh.triangles.empty());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const Point p = mesh.positions[i];
+      double off = 0;
+      if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape)) {
+        off = glm::dot(p - plane->corners[0], planeNormal(*plane));
+      } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape)) {
+        const Direction axis = glm::normalize(tube->top - tube->bottom);
+        const Vector w = p - tube->bottom;
+        off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
+      } else {
+        const auto& sphere = std::get<SphereMirror>(scene.optic.shape);
+        off = glm::length(p - sphere.centre) - sphere.radius;
+      }
+      EXPECT_NEAR(off, 0, 1e-12);
+    }
+  }
+}
+
+TEST(MirrorProblems, SoundShapesHaveNone) {
+  for (const ShapeKind kind : allShapeKinds) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      Random random(seed);
+      const RandomScene scene = makeRandomScene(kind, random);
+      EXPECT_EQ(findShapeProblem(scene.optic.shape), std::nullopt);
+      EXPECT_EQ(findEyeProblem(scene.optic.shape, scene.eye), std::nullopt);
+    }
+  }
+}
+
+TEST(MirrorProblems, BadShapesAreNamed) {
+  const Point a(0, 0, 0), b(1, 0, 0), c(1, 0, 1), d(0, 0, 1);
+  const struct {
+    MirrorShape shape;
+    const char* message;
+  } table[] = {
+      {PlaneMirror{{a, a, a, a}}, "expected four corners that span an area, got a quad of area 0"},
+      {PlaneMirror{{a, b, Point(2, 0, 0), Point(3, 0, 0)}},
+       "expected four corners that span an area, got a quad of area 0"},
+      {PlaneMirror{{a, b, Point(1, 0.1, 1), d}}, "expected four corners in one plane, got one that is "},
+      {PlaneMirror{{a, Point(1, 0, 0.9), b, d}},
+       "expected a convex quad with its corners in order around it"},
+      {PlaneMirror{{a, b, Point(0.2, 0, 0.2), d}},
+       "expected a convex quad with its corners in order around it"},
+      {CylinderMirror{a, a, 1}, "expected a top that is not at the bottom, got a cylinder of height 0"},
+      {CylinderMirror{a, d, 0}, "expected a radius > 0, got 0"},
+      {SphereMirror{a, -4}, "expected a radius > 0, got -4"},
+      {SphereMirror{a, std::nan("")}, "expected a radius > 0, got nan"},
+  };
+  for (const auto& row : table) {
+    const auto problem = findShapeProblem(row.shape);
+    ASSERT_TRUE(problem) << row.message;
+    EXPECT_THAT(*problem, HasSubstr(row.message));
+  }
+}
+
+TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
+  const struct {
+    MirrorShape shape;
+    Point eye;
+    const char* message;
+  } table[] = {
+      {PlaneMirror{}, {5, 0, 3}, "edge-on and nothing in it. Move the eye away from that plane."},
+      {SphereMirror{Point(0), 4}, {1, 0, 0}, "the eye is inside the sphere: it is 1 from the centre"},
+      {SphereMirror{Point(0), 4}, {4, 0, 0}, "the eye is inside the sphere"},
+      {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 5, 7}, "it is 5 from the axis and the radius is 10"},
+  };
+  for (const auto& row : table) {
+    const auto problem = findEyeProblem(row.shape, row.eye);
+    ASSERT_TRUE(problem) << row.message;
+    EXPECT_THAT(*problem, HasSubstr(row.message));
+  }
+}
+
+}  // namespace
+}  // namespace anamorph

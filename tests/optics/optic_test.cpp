@@ -1,0 +1,86 @@
+#include "optics/optic.h"
+
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "optics/exit_points.h"
+#include "optics/reflect.h"
+#include "random_scene.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+
+TEST(Reflect, KeepsLengthAndIgnoresTheNormalsSide) {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector d = random.point(3);
+    const Direction n = random.direction();
+    EXPECT_NEAR(glm::length(reflect(d, n)), glm::length(d), 1e-14 * 6);
+    EXPECT_EQ(reflect(d, n), reflect(d, -n));
+    EXPECT_LT(glm::length(reflect(reflect(d, n), n) - d), 1e-14 * 6);
+  }
+}
+
+TEST(FollowRay, TravelledCountsInLengthsOfTheRaySent) {
+  const Optic sphere{OpticKind::mirror, SphereMirror{Point(0), 1}};
+  const OpticPath path = followRay(sphere, {{0, -3, 0}, {0, 4, 0}});
+  ASSERT_EQ(path.pointCount, 1);
+  EXPECT_DOUBLE_EQ(path.travelled, 0.5);
+  EXPECT_EQ(path.points[0], Point(0, -1, 0));
+  EXPECT_DOUBLE_EQ(path.sine, 1);
+  EXPECT_EQ(path.exit.direction, Vector(0, -4, 0));
+}
+
+TEST(StatusOf, NamesWhatBecomesOfARay) {
+  const Optic tube{OpticKind::mirror, CylinderMirror{{0, 0, 0}, {0, 0, 2}, 1}};
+  const auto status = [&](const Point& eye, const Point& target, double depthScale = 1) {
+    const OpticPath path = followRay(tube, {eye, target - eye});
+    return statusOf(tube, path, depthScale * (1 - path.travelled));
+  };
+  EXPECT_EQ(status({0, -5, 1}, {0, 3, 1}), PathStatus::mapped);
+  EXPECT_EQ(status({0, -5, 1}, {0, 3, 9}), PathStatus::missesMirror);
+  EXPECT_EQ(status({0, -5, 1}, {0, -3, 1}), PathStatus::inFrontOfMirror);
+  EXPECT_EQ(status({0.99999, -5, 1}, {0.99999, 5, 1}), PathStatus::grazing);
+  // Over the near rim to the inner far wall and back to the inner near wall.
+  EXPECT_EQ(status({0, -2, 2.5}, {0, 8, -1}), PathStatus::hitsMirrorAgain);
+  EXPECT_EQ(status({0, -2, 2.5}, {0, 8, -1}, 0.01), PathStatus::mapped) << "it stops before the near wall";
+}
+
+TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
+  for (const ShapeKind kind : allShapeKinds) {
+    std::size_t allPlain = 0, all = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
+      Random random(seed);
+      const RandomScene scene = makeRandomScene(kind, random);
+      PointArray targets;
+      for (std::size_t i = 0; i < 100; ++i) {
+        targets.push_back(i % 4 ? makeRandomOriginal(scene, random, 0.5) : random.point(30));
+      }
+      const double depthScale = random.uniform(0.1, 3);
+      PointArray points(targets.size());
+      std::array<std::int64_t, exitBlockSize> plain;
+      const std::size_t plainCount = exitPoints(
+          scene.optic, scene.eye, depthScale, {targets.x.data(), targets.y.data(), targets.z.data()},
+          targets.size(), {points.x.data(), points.y.data(), points.z.data()}, plain.data());
+      all += targets.size();
+      allPlain += plainCount;
+      EXPECT_EQ(std::count(plain.begin(), plain.begin() + 100, 1), static_cast<long>(plainCount));
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        const OpticPath path = followRay(scene.optic, {scene.eye, targets[i] - scene.eye});
+        const double exitLength = depthScale * (1 - path.travelled);
+        if (!plain[i]) continue;
+        ASSERT_EQ(statusOf(scene.optic, path, exitLength), PathStatus::mapped);
+        EXPECT_EQ(points[i], path.exit.at(exitLength));
+      }
+    }
+    EXPECT_GT(allPlain, all / 2) << "the plain case is the common one";
+  }
+}
+
+}  // namespace
+}  // namespace anamorph
