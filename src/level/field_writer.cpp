@@ -1,0 +1,103 @@
+#include "level/field_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace anamorph {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+JsonValue scalar(Kind kind, std::string text) {
+  JsonValue json;
+  json.kind = kind;
+  json.text = std::move(text);
+  return json;
+}
+
+// fmt writes the shortest text that reads back as the same number.
+template <typename Number>
+JsonValue number(Number value) {
+  return scalar(Kind::number, fmt::format("{}", value));
+}
+
+JsonValue array(std::vector<JsonValue> items) {
+  JsonValue json;
+  json.kind = Kind::array;
+  json.items = std::move(items);
+  return json;
+}
+
+JsonValue vector(const Vector& v) {
+  return array({number(v.x), number(v.y), number(v.z)});
+}
+
+}  // namespace
+
+FieldWriter::FieldWriter(std::string path, const std::vector<UnknownKey>& unknownKeys)
+    : path_(std::move(path)), unknownKeys_(unknownKeys) {
+  json_.kind = Kind::object;
+}
+
+void FieldWriter::field(const char* key, bool value) {
+  add(key, scalar(Kind::boolean, value ? "true" : "false"));
+}
+
+void FieldWriter::field(const char* key, const std::string& value) {
+  add(key, scalar(Kind::string, value));
+}
+
+void FieldWriter::field(const char* key, double value, Range) {
+  add(key, number(value));
+}
+
+void FieldWriter::field(const char* key, int value, Range) {
+  add(key, number(value));
+}
+
+void FieldWriter::field(const char* key, std::size_t value, Range) {
+  add(key, number(value));
+}
+
+void FieldWriter::field(const char* key, const Vector& value, Range) {
+  add(key, vector(value));
+}
+
+void FieldWriter::field(const char* key, const std::array<Point, 4>& values, Range) {
+  add(key, array({vector(values[0]), vector(values[1]), vector(values[2]), vector(values[3])}));
+}
+
+void FieldWriter::pair(const char* key, int first, int second, Range) {
+  add(key, array({number(first), number(second)}));
+}
+
+void FieldWriter::factors(const char* key, const Vector& value, Range) {
+  add(key, value == Vector(value.x) ? number(value.x) : vector(value));
+}
+
+void FieldWriter::numberOrOff(const char* key, double value, Range) {
+  add(key, value == 0 ? scalar(Kind::string, "off") : number(value));
+}
+
+void FieldWriter::opaque(const char* key, const std::string& json) {
+  if (!json.empty()) add(key, parseJson(json, key));
+}
+
+JsonValue FieldWriter::finish() {
+  // A key that was unknown to one shape may be known to another that was chosen since: the known one wins.
+  const std::vector<std::string> known = json_.keys;
+  for (const UnknownKey& unknown : unknownKeys_) {
+    if (unknown.object != path_ || std::find(known.begin(), known.end(), unknown.key) != known.end())
+      continue;
+    add(unknown.key, parseJson(unknown.json, unknown.key));
+  }
+  return std::move(json_);
+}
+
+void FieldWriter::add(const std::string& key, JsonValue value) {
+  json_.keys.push_back(key);
+  json_.items.push_back(std::move(value));
+}
+
+}  // namespace anamorph

@@ -1,0 +1,269 @@
+#include "level/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/error.h"
+
+namespace anamorph {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+constexpr std::size_t lineWidth = 120;
+constexpr std::size_t quotedWidth = 60;  // of a value in a message
+
+bool isContinuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+// Cut between characters, never inside one.
+std::string shortened(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && isContinuation(text[most])) --most;
+  return text.substr(0, most) + "...";
+}
+
+// The length of the well-formed UTF-8 character at the front (Unicode table 3-7), 0 when there is none.
+std::size_t characterLength(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text[0]);
+  if (first < 0x80) return first == 0 ? 0 : 1;  // the reader would take a 0 for the end of the text
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  if (text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!isContinuation(text[i])) return 0;
+  }
+  const auto second = static_cast<unsigned char>(text[1]);
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool surrogate = first == 0xED && second > 0x9F, tooLarge = first == 0xF4 && second > 0x8F;
+  return overlong || surrogate || tooLarge ? 0 : length;
+}
+
+void checkUtf8(std::string_view text, const std::string& file) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = characterLength(text.substr(i));
+    if (length == 0) {
+      throw Error(
+          fmt::format("expected UTF-8 text, got the byte 0x{:02x}", static_cast<unsigned char>(text[i])),
+          file, fmt::format("byte {}", i));
+    }
+    i += length;
+  }
+}
+
+// Receives the parser's events and grows the tree. `open_` leads from the root to the innermost open
+// container; a container's items do not move while one of them is open.
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  JsonValue takeRoot() { return std::move(root_); }
+
+  bool null() override { return add(Kind::null, "null"); }
+  bool boolean(bool value) override { return add(Kind::boolean, value ? "true" : "false"); }
+  bool number_integer(std::int64_t value) override { return addInteger(value); }
+  bool number_unsigned(std::uint64_t value) override { return addInteger(value); }
+  bool number_float(double value, const std::string& written) override {
+    return add(Kind::number, written, value);
+  }
+  bool string(std::string& value) override { return add(Kind::string, std::move(value)); }
+  bool binary(nlohmann::json::binary_t&) override { return false; }  // not in JSON text
+
+  bool start_object(std::size_t) override { return open(Kind::object); }
+  bool start_array(std::size_t) override { return open(Kind::array); }
+  bool key(std::string& name) override {
+    open_.back()->keys.push_back(std::move(name));
+    return true;
+  }
+  bool end_object() override {
+    checkKeysOnce();
+    return end_array();
+  }
+  bool end_array() override {
+    open_.pop_back();
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::detail::exception& error) override {
+    if (error.id == 406) {
+      throw Error("expected a number below 1.8e308, got " + shortened(token, quotedWidth), file_, nextPath());
+    }
+    // The library's text is "[id] parse error at line 1, column 2: syntax error while parsing ...".
+    const std::string what = error.what();
+    const std::size_t start = what.find("syntax error");
+    throw Error(shortened(start == std::string::npos ? what : what.substr(start), 240), file_,
+                place(position));
+  }
+
+ private:
+  bool add(Kind kind, std::string text = {}, double number = 0) {
+    if (++count_ > maxJsonValues) {
+      throw Error(fmt::format("expected at most {} values in the file, got more", maxJsonValues), file_);
+    }
+    newest_ = open_.empty() ? &root_ : &open_.back()->items.emplace_back();
+    newest_->kind = kind;
+    newest_->text = std::move(text);
+    newest_->number = number;
+    return true;
+  }
+
+  template <typename Integer>
+  bool addInteger(Integer value) {
+    return add(Kind::number, std::to_string(value), static_cast<double>(value));
+  }
+
+  bool open(Kind kind) {
+    if (open_.size() == maxJsonDepth) {
+      throw Error(fmt::format("expected at most {} levels of nesting, got more", maxJsonDepth), file_);
+    }
+    add(kind);
+    open_.push_back(newest_);
+    return true;
+  }
+
+  // Sorted once at the end, so that many keys take no quadratic time.
+  void checkKeysOnce() const {
+    const std::vector<std::string>& keys = open_.back()->keys;
+    std::vector<std::string_view> sorted(keys.begin(), keys.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice == sorted.end()) return;
+    throw Error("expected each key once, got it twice", file_, joinJsonPath(openPath(), *twice));
+  }
+
+  // Of the innermost open container.
+  std::string openPath() const {
+    std::string path;
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const JsonValue& value = *open_[i];
+      const bool isObject = value.kind == Kind::object;
+      path = joinJsonPath(path, isObject ? value.keys.back() : std::to_string(value.items.size() - 1));
+    }
+    return path;
+  }
+
+  // Of the value that is to be added next.
+  std::string nextPath() const {
+    if (open_.empty()) return "";
+    const JsonValue& value = *open_.back();
+    const bool isObject = value.kind == Kind::object;
+    return joinJsonPath(openPath(), isObject ? value.keys.back() : std::to_string(value.items.size()));
+  }
+
+  // `position` counts the bytes read, the offending one included.
+  std::string place(std::size_t position) const {
+    const std::string_view before = text_.substr(0, std::max<std::size_t>(position, 1) - 1);
+    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    return fmt::format("line {}, column {}", line, before.size() - lineStart + 1);
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  JsonValue root_;
+  JsonValue* newest_ = nullptr;
+  std::vector<JsonValue*> open_;
+  std::size_t count_ = 0;
+};
+
+bool holdsObject(const JsonValue& value) {
+  return std::any_of(value.items.begin(), value.items.end(),
+                     [](const JsonValue& item) { return item.kind == Kind::object || holdsObject(item); });
+}
+
+void appendCompact(std::string& out, const JsonValue& value) {
+  if (value.kind == Kind::string) {
+    out += quoteJson(value.text);
+  } else if (value.kind != Kind::array && value.kind != Kind::object) {
+    out += value.kind == Kind::null ? "null" : value.text;
+  } else {
+    const bool isObject = value.kind == Kind::object;
+    out += isObject ? '{' : '[';
+    for (std::size_t i = 0; i < value.items.size(); ++i) {
+      if (i > 0) out += ", ";
+      if (isObject) out += quoteJson(value.keys[i]) + ": ";
+      appendCompact(out, value.items[i]);
+    }
+    out += isObject ? '}' : ']';
+  }
+}
+
+// `used` columns of the current line are taken already, by the indentation and the key.
+void appendReadable(std::string& out, const JsonValue& value, std::size_t indent, std::size_t used) {
+  if (value.items.empty() || (indent > 0 && !holdsObject(value))) {
+    const std::string line = compactJson(value);
+    if (value.items.empty() || used + line.size() < lineWidth) {
+      out += line;
+      return;
+    }
+  }
+  const bool isObject = value.kind == Kind::object;
+  const std::string margin = '\n' + std::string(indent + 2, ' ');
+  out += isObject ? '{' : '[';
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    if (i > 0) out += ',';
+    const std::string key = isObject ? quoteJson(value.keys[i]) + ": " : "";
+    out += margin + key;
+    appendReadable(out, value.items[i], indent + 2, indent + 2 + key.size());
+  }
+  out += '\n' + std::string(indent, ' ') + (isObject ? '}' : ']');
+}
+
+}  // namespace
+
+JsonValue parseJson(std::string_view text, const std::string& fileName) {
+  checkUtf8(text, fileName);
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw Error("expected JSON, got an empty file", fileName);
+  }
+  TreeBuilder builder(text, fileName);
+  nlohmann::json::sax_parse(text, &builder);
+  return builder.takeRoot();
+}
+
+std::string formatJson(const JsonValue& value) {
+  std::string out;
+  appendReadable(out, value, 0, 0);
+  return out + '\n';
+}
+
+std::string compactJson(const JsonValue& value) {
+  std::string out;
+  appendCompact(out, value);
+  return out;
+}
+
+std::string quoteJson(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string joinJsonPath(const std::string& path, std::string_view key) {
+  std::string joined = path + '/';
+  for (const char c : key) {
+    if (c == '~') {
+      joined += "~0";
+    } else if (c == '/') {
+      joined += "~1";
+    } else {
+      joined += c;
+    }
+  }
+  return joined;
+}
+
+std::string describeJson(const JsonValue& value) {
+  if (value.kind == Kind::object) return "an object";
+  const std::string text = compactJson(value);
+  if (value.kind == Kind::array && text.size() > quotedWidth) return "an array";
+  return shortened(text, quotedWidth);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,141 @@
+// A level: everything that one lesson about mirror anamorphosis shows, as plain data. The eye, the mirror,
+// the original and how its sculpture is made, the light, and where the 3D view starts. Words as in the
+// method, section 1.
+//
+// A level holds values only: no mesh, no image, no file name of its own. level_json.h reads and writes it;
+// the pipeline makes the sculpture from it. Lengths are scene units, angles degrees, colours linear RGB, z is
+// up.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math/placement.h"
+#include "optics/camera.h"
+#include "optics/material.h"
+#include "optics/optic.h"
+
+namespace anamorph {
+
+// The built-in originals; their parameters are those of geometry/shapes.h.
+
+struct BoxShape {
+  Vector size{6, 2, 2};
+  int segments = 32;
+  bool operator==(const BoxShape&) const = default;
+};
+
+struct SphereShape {
+  double radius = 1;
+  int segments = 64;
+  bool operator==(const SphereShape&) const = default;
+};
+
+struct TorusKnotShape {
+  int p = 2;
+  int q = 3;
+  double tubeRadius = 0.25;
+  int segments = 256;
+  int sides = 24;
+  bool operator==(const TorusKnotShape&) const = default;
+};
+
+struct LetterFShape {
+  double height = 2;
+  int segments = 8;
+  bool operator==(const LetterFShape&) const = default;
+};
+
+struct PawnShape {
+  double height = 2;
+  int segments = 64;
+  bool operator==(const PawnShape&) const = default;
+};
+
+/// A mesh file. The path stays as it was written; modelPath() of level_json.h finds the file.
+struct FileShape {
+  std::string path;
+  bool operator==(const FileShape&) const = default;
+};
+
+using OriginalShape = std::variant<BoxShape, SphereShape, TorusKnotShape, LetterFShape, PawnShape, FileShape>;
+
+struct OriginalSettings {
+  OriginalShape shape;
+  bool unitize = false;  ///< centre the shape and scale it into the unit cube before it is placed
+  Placement placement{.position = {0, 3.4, 1}};
+  Material material{.color = {0.16, 0.35, 0.62}};
+  bool operator==(const OriginalSettings&) const = default;
+};
+
+struct SculptureSettings {
+  double depthScale = 1;               ///< k of the method, section 2
+  double tolerancePixels = 0.25;       ///< refinement (section 5); 0: off, the original's own vertices
+  std::size_t maxTriangles = 2000000;  ///< refinement stops here
+  int imageSize = 512;                 ///< height in pixels of the image that the tolerance is meant for
+  Material material{.color = {0.72, 0.36, 0.22}};
+  bool operator==(const SculptureSettings&) const = default;
+};
+
+/// How the mirror looks: the part of the light that it gives back, and its colour.
+struct MirrorLook {
+  Color tint{1};
+  double reflectance = 0.95;
+  bool operator==(const MirrorLook&) const = default;
+};
+
+/// The horizontal plane that the 3D view draws as floor.
+struct GroundSettings {
+  bool visible = true;
+  double height = 0;
+  bool operator==(const GroundSettings&) const = default;
+};
+
+struct TracingSettings {
+  int maxDepth = 3;
+  bool shadows = true;
+  int samplesPerAxis = 2;  ///< supersampling: its square is the number of rays per pixel
+  bool operator==(const TracingSettings&) const = default;
+};
+
+/// Where the 3D view starts.
+struct ViewSettings {
+  Point eye{16, -20, 13};
+  Point target{0, 0, 2};
+  double fovDegrees = 40;
+  bool operator==(const ViewSettings&) const = default;
+};
+
+/// A key of the file that this program does not know, kept so that saving does not lose it.
+struct UnknownKey {
+  std::string object;  ///< JSON pointer of the object that holds it, "" for the level itself
+  std::string key;
+  std::string json;  ///< its value, as JSON text on one line
+  bool operator==(const UnknownKey&) const = default;
+};
+
+/// The default level is the box behind a plane mirror.
+struct Level {
+  std::string title;
+  std::string description;
+  Optic optic{OpticKind::mirror,
+              PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}}};
+  MirrorLook mirrorLook;
+  Camera camera{.eye = {0, -11.9, 6.5}, .target = {0, 3.4, 1}};
+  OriginalSettings original;
+  SculptureSettings sculpture;
+  std::vector<PointLight> lights{{{-7, -12, 14}, Color(1, 0.96, 0.9), 0.8},
+                                 {{3, -0.5, 9}, Color(0.9, 0.95, 1), 0.6}};
+  Background background;
+  GroundSettings ground;
+  TracingSettings tracing;
+  ViewSettings view;
+  std::string lesson;  ///< the lesson's steps, as JSON text on one line; empty: none
+  std::vector<UnknownKey> unknownKeys;
+
+  bool operator==(const Level&) const = default;
+};
+
+}  // namespace anamorph

@@ -1,0 +1,221 @@
+// The level file, said once: names, order, ranges and which keys are needed. FieldReader and FieldWriter both
+// walk these functions, so what is read and what is written cannot drift apart. levels/README.md explains the
+// same for people.
+//
+// To add a field: a member in level.h with its default, a line here, a line in levels/README.md.
+#pragma once
+
+#include <array>
+#include <numeric>
+#include <variant>
+
+#include "level/field_reader.h"
+#include "level/level.h"
+
+namespace anamorph {
+
+constexpr Range coordinates{-1e6, 1e6};
+constexpr Range lengths{1e-6, 1e6};
+constexpr Range shares{0, 1};
+constexpr Range fieldsOfView{1, 170};
+
+constexpr std::array opticKinds{"mirror"};
+constexpr std::array mirrorShapes{"plane", "cylinder", "sphere"};
+constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
+static_assert(mirrorShapes.size() == std::variant_size_v<MirrorShape>);
+static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
+
+template <typename At>
+void fields(At& at, PlaneMirror& mirror) {
+  at.need({"corners"});
+  at.field("corners", mirror.corners, coordinates);
+}
+
+template <typename At>
+void fields(At& at, CylinderMirror& mirror) {
+  at.need({"bottom", "top", "radius"});
+  at.field("bottom", mirror.bottom, coordinates);
+  at.field("top", mirror.top, coordinates);
+  at.field("radius", mirror.radius, lengths);
+}
+
+template <typename At>
+void fields(At& at, SphereMirror& mirror) {
+  at.need({"centre", "radius"});
+  at.field("centre", mirror.centre, coordinates);
+  at.field("radius", mirror.radius, lengths);
+}
+
+template <typename At>
+void fields(At& at, MirrorShape& shape) {
+  at.choice("type", shape, mirrorShapes);
+  std::visit([&](auto& chosen) { fields(at, chosen); }, shape);
+}
+
+template <typename At>
+void fields(At& at, MirrorLook& look) {
+  at.field("tint", look.tint, shares);
+  at.field("reflectance", look.reflectance, shares);
+}
+
+/// In the file, the look belongs to the optic.
+struct OpticPart {
+  Optic& optic;
+  MirrorLook& look;
+};
+
+template <typename At>
+void fields(At& at, OpticPart& part) {
+  at.need({"kind", "shape"});
+  at.choice("kind", part.optic.kind, opticKinds);
+  at.object("shape", part.optic.shape);
+  at.object("look", part.look);
+}
+
+template <typename At>
+void fields(At& at, Camera& camera) {
+  at.need({"eye", "target"});
+  at.field("eye", camera.eye, coordinates);
+  at.field("target", camera.target, coordinates);
+  at.field("up", camera.up, coordinates);
+  at.expect(glm::length(camera.up) >= lengths.min, "up", "a vector that is not 0");
+  at.field("fovDegrees", camera.fovDegrees, fieldsOfView);
+  at.pair("grid", camera.gridColumns, camera.gridRows, Range{1, 64});
+  at.field("screenDistance", camera.screenDistance, lengths);
+}
+
+template <typename At>
+void fields(At& at, Material& material) {
+  at.field("color", material.color, shares);
+  at.field("ambient", material.ambient, shares);
+  at.field("diffuse", material.diffuse, shares);
+  at.field("specular", material.specular, shares);
+  at.field("shininess", material.shininess, Range{1, 1000});
+}
+
+template <typename At>
+void fields(At& at, BoxShape& box) {
+  at.field("size", box.size, lengths);
+  at.field("segments", box.segments, Range{1, 512});
+}
+
+template <typename At>
+void fields(At& at, SphereShape& sphere) {
+  at.field("radius", sphere.radius, lengths);
+  at.field("segments", sphere.segments, Range{3, 2048});
+}
+
+template <typename At>
+void fields(At& at, TorusKnotShape& knot) {
+  at.field("p", knot.p, Range{1, 32});
+  at.field("q", knot.q, Range{1, 32});
+  at.expect(std::gcd(knot.p, knot.q) == 1, "q", "a number without a common divisor with p");
+  at.field("tubeRadius", knot.tubeRadius, Range{0.01, 1});
+  at.field("segments", knot.segments, Range{3, 4096});
+  at.field("sides", knot.sides, Range{3, 512});
+}
+
+template <typename At>
+void fields(At& at, LetterFShape& letter) {
+  at.field("height", letter.height, lengths);
+  at.field("segments", letter.segments, Range{1, 256});
+}
+
+template <typename At>
+void fields(At& at, PawnShape& pawn) {
+  at.field("height", pawn.height, lengths);
+  at.field("segments", pawn.segments, Range{3, 2048});
+}
+
+template <typename At>
+void fields(At& at, FileShape& file) {
+  at.need({"path"});
+  at.field("path", file.path);
+  const bool isName = !file.path.empty() && file.path.find('\0') == std::string::npos;
+  at.expect(isName, "path", "the name of a mesh file");
+}
+
+template <typename At>
+void fields(At& at, OriginalShape& shape) {
+  at.choice("type", shape, originalShapes);
+  std::visit([&](auto& chosen) { fields(at, chosen); }, shape);
+}
+
+template <typename At>
+void fields(At& at, Placement& placement) {
+  at.field("position", placement.position, coordinates);
+  at.field("rotationDegrees", placement.rotationDegrees, coordinates);
+  at.factors("scale", placement.scale, lengths);
+}
+
+template <typename At>
+void fields(At& at, OriginalSettings& original) {
+  at.need({"shape"});
+  at.object("shape", original.shape);
+  at.field("unitize", original.unitize);
+  at.object("placement", original.placement);
+  at.object("material", original.material);
+}
+
+template <typename At>
+void fields(At& at, SculptureSettings& sculpture) {
+  at.field("depthScale", sculpture.depthScale, Range{0.01, 100});
+  at.numberOrOff("tolerancePixels", sculpture.tolerancePixels, Range{0.001, 1000});
+  at.field("maxTriangles", sculpture.maxTriangles, Range{1, 1e8});
+  at.field("imageSize", sculpture.imageSize, Range{16, 16384});
+  at.object("material", sculpture.material);
+}
+
+template <typename At>
+void fields(At& at, PointLight& light) {
+  at.need({"position"});
+  at.field("position", light.position, coordinates);
+  at.field("color", light.color, shares);
+  at.field("intensity", light.intensity, Range{0, 1000});
+}
+
+template <typename At>
+void fields(At& at, Background& background) {
+  at.field("top", background.top, shares);
+  at.field("bottom", background.bottom, shares);
+}
+
+template <typename At>
+void fields(At& at, GroundSettings& ground) {
+  at.field("visible", ground.visible);
+  at.field("height", ground.height, coordinates);
+}
+
+template <typename At>
+void fields(At& at, TracingSettings& tracing) {
+  at.field("maxDepth", tracing.maxDepth, Range{0, 8});
+  at.field("shadows", tracing.shadows);
+  at.field("samplesPerAxis", tracing.samplesPerAxis, Range{1, 4});
+}
+
+template <typename At>
+void fields(At& at, ViewSettings& view) {
+  at.field("eye", view.eye, coordinates);
+  at.field("target", view.target, coordinates);
+  at.field("fovDegrees", view.fovDegrees, fieldsOfView);
+}
+
+/// All but "format" and "version", which are not part of the level.
+template <typename At>
+void fields(At& at, Level& level) {
+  at.need({"optic", "camera", "original"});
+  at.field("title", level.title);
+  at.field("description", level.description);
+  at.object("optic", OpticPart{level.optic, level.mirrorLook});
+  at.object("camera", level.camera);
+  at.object("original", level.original);
+  at.object("sculpture", level.sculpture);
+  at.list("lights", level.lights, 64);
+  at.object("background", level.background);
+  at.object("ground", level.ground);
+  at.object("tracing", level.tracing);
+  at.object("view", level.view);
+  at.opaque("lesson", level.lesson);
+}
+
+}  // namespace anamorph

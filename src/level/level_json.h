@@ -1,0 +1,43 @@
+// Level files: JSON with "format": "anamorph-level", explained in levels/README.md. Reading is strict about
+// types and ranges; keys that are not known are warned about and survive load and save. The thesis' scene
+// files are read too. Geometry that no sculpture can be made of (an eye inside the sphere) is no fault of the
+// file: the optics tell.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "level/level.h"
+
+namespace anamorph {
+
+constexpr int levelVersion = 1;
+constexpr std::size_t maxLevelBytes = std::size_t{16} << 20;
+
+struct LoadedLevel {
+  Level level;
+  std::vector<std::string> warnings;  ///< whole sentences with file and JSON pointer
+  /// From a scene file of the thesis: the original is a FileShape without a path that the caller fills in,
+  /// and the camera's target is the mesh's position until the caller knows the original's box.
+  bool isThesisScene = false;
+};
+
+/// Throws Error `file: where: expected, got`; `fileName` is only for messages.
+LoadedLevel parseLevel(std::string_view text, const std::string& fileName);
+
+/// All fields in a fixed order, indented by 2; parseLevel gives the same level again.
+std::string formatLevel(const Level& level);
+
+/// parseLevel of a file of at most 16 MiB.
+LoadedLevel loadLevel(const std::filesystem::path& path);
+
+/// Replaces the file atomically. Throws Error when it cannot, or when the level has a value that loadLevel
+/// would refuse: what was saved can be opened.
+void saveLevel(const std::filesystem::path& path, const Level& level);
+
+/// Where the mesh of an original lies: relative paths start at the level's folder.
+std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath);
+
+}  // namespace anamorph

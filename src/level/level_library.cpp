@@ -1,0 +1,68 @@
+#include "level/level_library.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/resources.h"
+#include "level/level_json.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> levelFiles(const fs::path& folder) {
+  std::error_code problem;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    if (entry->path().extension() == ".json") files.push_back(entry->path());
+  }
+  if (problem) throw Error("cannot list the levels: " + problem.message(), folder.string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool isMeant(const fs::path& file, const std::string& name) {
+  const std::string stem = file.stem().string();
+  const std::size_t dash = stem.find('-');
+  return name == stem ||
+         (dash != std::string::npos && (name == stem.substr(0, dash) || name == stem.substr(dash + 1)));
+}
+
+}  // namespace
+
+fs::path levelFolder() {
+  return resourceFolder() / "levels";
+}
+
+std::vector<LevelEntry> listLevels(const fs::path& folder) {
+  std::vector<LevelEntry> levels;
+  for (const fs::path& file : levelFiles(folder)) {
+    LevelEntry& entry = levels.emplace_back();
+    entry.path = file;
+    entry.name = file.stem().string();
+    try {
+      entry.title = loadLevel(file).level.title;
+    } catch (const Error& error) {
+      entry.problem = error.what();  // one broken file must not hide the others
+    }
+  }
+  return levels;
+}
+
+fs::path findLevel(const std::string& nameOrPath) {
+  const fs::path path = nameOrPath;
+  std::error_code ignored;
+  const bool isFile = fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+  if (isFile || path.has_parent_path() || path.has_extension()) return path;
+
+  std::string names;
+  for (const fs::path& file : levelFiles(levelFolder())) {
+    if (isMeant(file, nameOrPath)) return file;
+    names += (names.empty() ? "" : ", ") + file.stem().string();
+  }
+  throw Error("expected a file or one of the levels " + names + ", got \"" + nameOrPath + "\"");
+}
+
+}  // namespace anamorph

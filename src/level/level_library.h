@@ -1,0 +1,28 @@
+// The levels that are installed with the program: the .json files in the folder `levels` of the resources.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace anamorph {
+
+struct LevelEntry {
+  std::filesystem::path path;
+  std::string name;     ///< the file's name without ending, "1-plane"
+  std::string title;    ///< empty when the level cannot be read
+  std::string problem;  ///< what loadLevel says then; empty when all is well
+};
+
+/// The folder of the installed levels. Throws Error when there is none.
+std::filesystem::path levelFolder();
+
+/// The levels in a folder, by name.
+std::vector<LevelEntry> listLevels(const std::filesystem::path& folder = levelFolder());
+
+/// The file that a user means: one that exists, or an installed level by its name ("1-plane"), the number
+/// before its name ("1") or the name after the number ("plane"). Anything that looks like a path comes back
+/// as it is. Throws Error that lists the installed levels.
+std::filesystem::path findLevel(const std::string& nameOrPath);
+
+}  // namespace anamorph

@@ -1,0 +1,114 @@
+// Random valid levels for property tests: every field gets a value of its range, some the ends of it.
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "level/level.h"
+
+namespace anamorph {
+
+class RandomLevel {
+ public:
+  explicit RandomLevel(std::uint64_t seed) : random_(seed) {}
+
+  Level make() {
+    Level level;
+    level.title = text();
+    level.description = text();
+    level.optic.shape = mirror();
+    level.mirrorLook = {color(), share()};
+    level.camera = camera();
+    level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
+    level.sculpture = {between(0.01, 100), coin() ? 0 : between(0.001, 1000),
+                       static_cast<std::size_t>(whole(1, 100000000)), whole(16, 16384), material()};
+    level.lights.resize(static_cast<std::size_t>(whole(0, 4)));
+    for (PointLight& light : level.lights) light = {point(), color(), between(0, 1000)};
+    level.background = {color(), color()};
+    level.ground = {coin(), coordinate()};
+    level.tracing = {whole(0, 8), coin(), whole(1, 4)};
+    level.view = {point(), point(), between(1, 170)};
+    if (coin()) level.lesson = R"({"steps": [{"text": "é\n", "done": 1.50}, null, true, []]})";
+    if (coin())
+      level.unknownKeys = {{"/optic/shape", "a/b~", "[1, {\"c\": -0.0}]"},
+                           {"", "zoom", "12345678901234567890"}};
+    return level;
+  }
+
+ private:
+  double between(double low, double high) {
+    const int pick = whole(0, 9);
+    if (pick < 2) return pick == 0 ? low : high;
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  bool coin() { return whole(0, 1) == 1; }
+  double share() { return between(0, 1); }
+  double coordinate() { return coin() ? between(-1e6, 1e6) : whole(-20, 20); }
+  double length() { return std::pow(10, between(-6, 6)); }
+  Point point() {
+    const double x = coordinate(), y = coordinate();
+    return {x, y, coordinate()};
+  }
+  Vector lengths() {
+    const double x = length(), y = length();
+    return {x, y, length()};
+  }
+  Color color() {
+    const double red = share(), green = share();
+    return {red, green, share()};
+  }
+  std::string text() {
+    const char* pieces[] = {"box", " ", "\"", "\\", "/", "\n", "\t", "é", "镜", "🙂", "\x01", "</script>"};
+    std::string text;
+    for (int i = whole(0, 6); i > 0; --i) text += pieces[whole(0, 11)];
+    return text;
+  }
+  Material material() {
+    const Color base = color();
+    const double ambient = share(), diffuse = share(), specular = share();
+    return {base, ambient, diffuse, specular, between(1, 1000)};
+  }
+  MirrorShape mirror() {
+    switch (whole(0, 2)) {
+      case 0:
+        return PlaneMirror{{point(), point(), point(), point()}};
+      case 1:
+        return CylinderMirror{point(), point(), length()};
+      default:
+        return SphereMirror{point(), length()};
+    }
+  }
+  OriginalShape shape() {
+    switch (whole(0, 5)) {
+      case 0:
+        return BoxShape{lengths(), whole(1, 512)};
+      case 1:
+        return SphereShape{length(), whole(3, 2048)};
+      case 2:
+        return TorusKnotShape{2, 2 * whole(0, 15) + 1, between(0.01, 1), whole(3, 4096), whole(3, 512)};
+      case 3:
+        return LetterFShape{length(), whole(1, 256)};
+      case 4:
+        return PawnShape{length(), whole(3, 2048)};
+      default:
+        return FileShape{"x" + text()};
+    }
+  }
+  Camera camera() {
+    Camera camera;
+    camera.eye = point();
+    camera.target = point();
+    camera.up = Vector(1, 0, 0) + 0.1 * color();
+    camera.fovDegrees = between(1, 170);
+    camera.gridColumns = whole(1, 64);
+    camera.gridRows = whole(1, 64);
+    camera.screenDistance = length();
+    return camera;
+  }
+
+  std::mt19937_64 random_;
+};
+
+}  // namespace anamorph
