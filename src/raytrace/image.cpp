@@ -1,0 +1,74 @@
+#include "raytrace/image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "base/check.h"
+
+namespace anamorph {
+namespace {
+
+float shoulder(float x) {
+  constexpr float start = 0.75f;
+  return x <= start ? x : start + (1 - start) * (1 - std::exp(-(x - start) / (1 - start)));
+}
+
+}  // namespace
+
+Image::Image(int imageWidth, int imageHeight) : width(imageWidth), height(imageHeight) {
+  CHECK(width >= 0 && height >= 0);
+  pixels.resize(static_cast<std::size_t>(width) * height);
+}
+
+float toDisplay(float linear) {
+  if (!(linear > 0)) return 0;
+  const float x = shoulder(linear);
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
+Bitmap toBitmap(const Image& image) {
+  Bitmap bitmap{image.width, image.height, 3, {}};
+  bitmap.bytes.reserve(image.pixels.size() * 3);
+  for (const glm::vec3& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c) {
+      bitmap.bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * toDisplay(pixel[c]))));
+    }
+  }
+  return bitmap;
+}
+
+Image differenceImage(const Image& a, const Image& b) {
+  CHECK(a.width == b.width && a.height == b.height);
+  Image result(a.width, a.height);
+  for (std::size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = glm::abs(a.pixels[i] - b.pixels[i]);
+  return result;
+}
+
+BitmapDifference compare(const Bitmap& a, const Bitmap& b, int threshold) {
+  CHECK(a.width == b.width && a.height == b.height && a.channels == b.channels);
+  CHECK(a.bytes.size() == b.bytes.size());
+  BitmapDifference result;
+  double sum = 0;
+  std::size_t over = 0;
+  const std::size_t pixels = a.bytes.size() / a.channels;
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    int largest = 0;
+    for (std::size_t i = pixel * a.channels; i < (pixel + 1) * a.channels; ++i) {
+      const int difference = std::abs(int{a.bytes[i]} - int{b.bytes[i]});
+      sum += difference;
+      largest = std::max(largest, difference);
+    }
+    result.maxAbsolute = std::max(result.maxAbsolute, largest);
+    over += largest > threshold;
+  }
+  if (pixels > 0) {
+    result.meanAbsolute = sum / static_cast<double>(a.bytes.size());
+    result.shareOver = static_cast<double>(over) / static_cast<double>(pixels);
+  }
+  return result;
+}
+
+}  // namespace anamorph

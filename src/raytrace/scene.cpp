@@ -1,0 +1,73 @@
+#include "raytrace/scene.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+
+namespace anamorph {
+namespace {
+
+// The trees are walked in float: a hit is off by a few 2^-24 of the coordinates. This stays well above that
+// and well below a pixel.
+constexpr double relativeEpsilon = 1.0 / (1 << 18);
+
+void extendBy(Box& box, const PointArray& points) {
+  const Box other = boundingBox(points);
+  if (other.empty()) return;
+  box.extend(other.min);
+  box.extend(other.max);
+}
+
+}  // namespace
+
+RenderScene buildScene(SceneInput input) {
+  RenderScene scene;
+  Box box;
+  for (const MeshSurface& surface : input.surfaces) {
+    CHECK(surface.mesh && surface.bvh && !surface.normals == !surface.normalGroups);
+    extendBy(box, surface.mesh->positions);
+  }
+  if (input.optic) extendBy(box, tessellate(input.optic->optic.shape).positions);
+  if (!box.empty()) {
+    scene.centre = box.centre();
+    const double radius = box.diagonal() / 2;
+    if (std::isfinite(radius) && radius > 0) scene.radius = radius;
+    const Vector farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    scene.epsilon = relativeEpsilon * std::max({scene.radius, farthest.x, farthest.y, farthest.z});
+  } else {
+    scene.epsilon = relativeEpsilon;
+  }
+  scene.input = std::move(input);
+  return scene;
+}
+
+MeshSurface makeSurface(std::string name, Mesh mesh, const Material& material, double creaseDegrees) {
+  MeshSurface surface{std::move(name), nullptr, nullptr, nullptr, nullptr, material};
+  const auto groups = std::make_shared<const NormalGroups>(makeNormalGroups(mesh, creaseDegrees));
+  surface.normals =
+      std::make_shared<const std::vector<glm::vec3>>(computeNormals(mesh.positions, mesh.triangles, *groups));
+  surface.normalGroups = groups;
+  surface.bvh = std::make_shared<const Bvh>(mesh.positions, mesh.triangles);
+  surface.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return surface;
+}
+
+std::string objectName(const RenderScene& scene, const ObjectId& object) {
+  switch (object.kind) {
+    case ObjectKind::mesh:
+      return scene.input.surfaces.at(object.index).name;
+    case ObjectKind::optic:
+      return "mirror";
+    case ObjectKind::ground:
+      return "ground";
+    case ObjectKind::light:
+      return fmt::format("light {}", object.index + 1);
+    case ObjectKind::none:
+      break;
+  }
+  return "background";
+}
+
+}  // namespace anamorph
