@@ -1,0 +1,53 @@
+#include "pipeline/original.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "geometry/shapes.h"
+#include "level/level_json.h"
+
+namespace anamorph {
+namespace {
+
+struct ShapeMaker {
+  const std::filesystem::path& levelPath;
+  const MeshLimits& limits;
+
+  Mesh operator()(const BoxShape& s) const { return makeBox(s.size, s.segments); }
+  Mesh operator()(const SphereShape& s) const { return makeSphere(s.radius, s.segments); }
+  Mesh operator()(const TorusKnotShape& s) const {
+    return makeTorusKnot(s.p, s.q, s.tubeRadius, s.segments, s.sides);
+  }
+  Mesh operator()(const LetterFShape& s) const { return makeLetterF(s.height, s.segments); }
+  Mesh operator()(const PawnShape& s) const { return makePawn(s.height, s.segments); }
+  Mesh operator()(const FileShape& s) const { return loadMesh(modelPath(s, levelPath), limits); }
+};
+
+}  // namespace
+
+std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
+                                         const MeshLimits& limits) {
+  return std::make_shared<const Mesh>(std::visit(ShapeMaker{levelPath, limits}, shape));
+}
+
+std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement) {
+  Mesh mesh = unitized ? unitize(shape) : shape;
+  mesh.positions = mapPoints(mesh.positions, PlacementMap(placement));
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+Mesh fitInto(Mesh mesh, const Box& box) {
+  const Box own = boundingBox(mesh.positions);
+  if (own.empty() || box.empty()) return mesh;
+  double factor = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (own.size()[axis] > 0) factor = std::min(factor, box.size()[axis] / own.size()[axis]);
+  }
+  if (!(factor > 0) || !std::isfinite(factor)) factor = 1;
+  mesh.positions =
+      mapPoints(mesh.positions, [&](const Point& p) { return box.centre() + factor * (p - own.centre()); });
+  return mesh;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,79 @@
+#include "pipeline/picture.h"
+
+#include "base/check.h"
+
+namespace anamorph {
+namespace {
+
+// Okabe and Ito's colours, which people with any colour vision can tell apart; linear light.
+constexpr glm::vec3 onlyOriginalColor{0.00f, 0.17f, 0.45f};    // blue
+constexpr glm::vec3 onlyReflectionColor{0.67f, 0.11f, 0.00f};  // vermilion
+constexpr glm::vec3 hiddenColor{0.87f, 0.35f, 0.00f};          // orange
+constexpr glm::vec3 missedColor{0.60f, 0.19f, 0.38f};          // purple
+
+Image markDifferences(Image picture, const Match& match) {
+  CHECK(match.classes.size() == picture.pixels.size());
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    glm::vec3& pixel = picture.pixels[i];
+    switch (match.classes[i]) {
+      case PixelClass::background:
+      case PixelClass::both: {
+        const float grey = glm::dot(pixel, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+        pixel = glm::vec3(match.classes[i] == PixelClass::both ? grey : 0.5f + 0.5f * grey);
+        break;
+      }
+      case PixelClass::onlyOriginal:
+        pixel = onlyOriginalColor;
+        break;
+      case PixelClass::onlyReflection:
+        pixel = onlyReflectionColor;
+        break;
+      case PixelClass::hidden:
+        pixel = hiddenColor;
+        break;
+      case PixelClass::missed:
+        pixel = missedColor;
+        break;
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
+                                         int threads, const Progress& progress) {
+  FinishedLevel finished{level, prepareMesh(std::move(original), threads), {}};
+  Sculpture sculpture;
+  if (!findProblem(level, *finished.original.mesh)) {
+    sculpture = makeSculpture(makeDeformInput(level, finished.original.mesh), threads, progress);
+  }
+  if (progress.cancelled()) return std::nullopt;
+  finished.sculpture = prepareSculpture(std::move(sculpture), threads);
+  return finished;
+}
+
+ImageRequest makeImageRequest(const Level& level, int width, int height, int threads) {
+  ImageRequest request;
+  request.width = width;
+  request.height = height;
+  request.samplesPerAxis = level.tracing.samplesPerAxis;
+  request.maxDepth = level.tracing.maxDepth;
+  request.shadows = level.tracing.shadows;
+  request.threads = threads;
+  return request;
+}
+
+std::optional<Image> makePicture(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+                                 const Match* match, const Progress& progress) {
+  const Level& level = finished.level;
+  const bool reflection = kind == PictureKind::reflection;
+  const RenderScene scene = buildScene(reflection ? makeReflectionScene(level, finished.sculpture)
+                                                  : makeOriginalScene(level, finished.original));
+  std::optional<Image> image = render(scene, level.camera, request, progress);
+  if (!image || kind != PictureKind::difference) return image;
+  CHECK(match != nullptr);
+  return markDifferences(std::move(*image), *match);
+}
+
+}  // namespace anamorph

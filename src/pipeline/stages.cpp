@@ -1,0 +1,141 @@
+#include "pipeline/stages.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+namespace {
+
+MeshSurface surfaceOf(std::string name, const PreparedMesh& mesh, const Material& material) {
+  return {std::move(name), mesh.mesh, mesh.bvh, mesh.normalGroups, mesh.normals, material};
+}
+
+bool contains(const Box& box, const Point& p) {
+  return !box.empty() && glm::min(box.min, p) == box.min && glm::max(box.max, p) == box.max;
+}
+
+// Corners are shaded together by where they were on `shape` (null: the mesh itself). Files repeat positions
+// along texture seams, which are no edges: joined here, with all triangles kept.
+NormalGroups shadingGroups(const Mesh& mesh, const PointArray* shape) {
+  const Mesh unfolded{shape ? *shape : mesh.positions, mesh.triangles};
+  WeldedMesh welded = weldPositions(unfolded);
+  welded.mesh.triangles = mesh.triangles;
+  for (Triangle& t : welded.mesh.triangles) {
+    for (std::uint32_t& corner : t) corner = welded.vertexOf[corner];
+  }
+  return makeNormalGroups(welded.mesh);
+}
+
+PreparedMesh prepare(std::shared_ptr<const Mesh> mesh, const PointArray* shape, int threads) {
+  PreparedMesh prepared;
+  NormalGroups groups = shadingGroups(*mesh, shape);
+  prepared.bvh = std::make_shared<const Bvh>(mesh->positions, mesh->triangles, threads);
+  prepared.normals = std::make_shared<const std::vector<glm::vec3>>(
+      computeNormals(mesh->positions, mesh->triangles, groups, threads));
+  prepared.normalGroups = std::make_shared<const NormalGroups>(std::move(groups));
+  prepared.mesh = std::move(mesh);
+  return prepared;
+}
+
+const char* explain(PathStatus status) {
+  switch (status) {
+    case PathStatus::mapped:
+      break;
+    case PathStatus::missesMirror:
+      return "the ray from the eye through the vertex never meets the mirror. Make the mirror larger, or "
+             "move the "
+             "original to where the eye sees the mirror in front of it";
+    case PathStatus::inFrontOfMirror:
+      return "the vertex is between the eye and the mirror. Move the original behind the mirror, away from "
+             "the eye";
+    case PathStatus::grazing:
+      return "the ray only grazes the mirror. Move the original towards the middle of the mirror";
+    case PathStatus::hitsMirrorAgain:
+      return "the reflected ray meets the mirror a second time. Use the outside of the mirror, or a smaller "
+             "depth "
+             "scale";
+  }
+  return "its triangles have corners that are not mapped";
+}
+
+}  // namespace
+
+std::optional<std::string> findProblem(const Level& level, const Mesh& original) {
+  if (auto problem = findShapeProblem(level.optic.shape)) {
+    return fmt::format("the {} mirror cannot be used: {}.", shapeName(level.optic.shape), *problem);
+  }
+  if (auto problem = findEyeProblem(level.optic.shape, level.camera.eye)) return problem;
+  const Box box = boundingBox(original.positions);
+  if (contains(box, level.camera.eye)) {
+    return "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
+           "the "
+           "original behind the mirror.";
+  }
+  if (!isFinite(box.min) || !isFinite(box.max)) return "the original has coordinates that are not finite.";
+  return std::nullopt;
+}
+
+std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
+  if (!sculpture.mesh.triangles.empty()) return std::nullopt;
+  const StatusCounts& counts = sculpture.originalStatus;
+  std::size_t total = 0;
+  for (const std::size_t count : counts) total += count;
+  const auto worst =
+      static_cast<std::size_t>(std::max_element(counts.begin() + 1, counts.end()) - counts.begin());
+  return fmt::format("no triangle of the original can be mapped. For {} of its {} vertices, {}.",
+                     counts[worst], total, explain(static_cast<PathStatus>(counts[worst] > 0 ? worst : 0)));
+}
+
+DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original) {
+  DeformInput input;
+  input.original = std::move(original);
+  input.optic = level.optic;
+  input.camera = level.camera;
+  input.imageSize = level.sculpture.imageSize;
+  input.depthScale = level.sculpture.depthScale;
+  input.tolerancePixels = level.sculpture.tolerancePixels;
+  input.maxTriangles = level.sculpture.maxTriangles;
+  return input;
+}
+
+PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads) {
+  return prepare(std::move(mesh), nullptr, threads);
+}
+
+PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
+  const auto shared = std::make_shared<const Sculpture>(std::move(sculpture));
+  const std::shared_ptr<const Mesh> mesh(shared,
+                                         &shared->mesh);  // the same object, kept alive by the sculpture
+  return {shared, prepare(mesh, &shared->original, threads)};
+}
+
+MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
+                          const PreparedSculpture& sculpture, int width, int height) {
+  return {original.mesh, original.bvh, sculpture.sculpture, sculpture.prepared.bvh, level.optic, level.camera,
+          width,         height};
+}
+
+SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture) {
+  SceneInput scene;
+  scene.surfaces.push_back(surfaceOf("sculpture", sculpture.prepared, level.sculpture.material));
+  scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
+  if (level.ground.visible) {
+    scene.ground.emplace();
+    scene.ground->height = level.ground.height;
+  }
+  scene.lights = level.lights;
+  scene.background = level.background;
+  return scene;
+}
+
+SceneInput makeOriginalScene(const Level& level, const PreparedMesh& original) {
+  SceneInput scene;
+  scene.surfaces.push_back(surfaceOf("original", original, level.original.material));
+  scene.lights = level.lights;
+  scene.background = level.background;
+  return scene;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,61 @@
+// The stages from a level to its pictures and figures. Each takes the values it depends on and nothing else;
+// window, commands and tests call these and no others.
+//
+//   Level, original --> DeformInput --makeSculpture--> Sculpture --> MatchInput --computeMatch--> Match
+//                                                               `--> SceneInput --render--> Image
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "anamorphosis/match.h"
+#include "anamorphosis/sculpture.h"
+#include "level/level.h"
+#include "raytrace/scene.h"
+
+namespace anamorph {
+
+/// A mesh with what tracing and shading it need, made once.
+struct PreparedMesh {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Bvh> bvh;
+  std::shared_ptr<const NormalGroups> normalGroups;
+  std::shared_ptr<const std::vector<glm::vec3>> normals;
+
+  bool operator==(const PreparedMesh&) const = default;
+};
+
+struct PreparedSculpture {
+  std::shared_ptr<const Sculpture> sculpture;
+  PreparedMesh prepared;
+
+  bool operator==(const PreparedSculpture&) const = default;
+};
+
+/// Why the level cannot be computed at all (a broken mirror, the eye inside it, the eye in the original), in
+/// a sentence for the student; nothing when it can.
+std::optional<std::string> findProblem(const Level& level, const Mesh& original);
+
+/// Why no triangle of the original has come into the sculpture; nothing when some have.
+std::optional<std::string> findEmptiness(const Sculpture& sculpture);
+
+/// `original` is in scene coordinates.
+DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original);
+
+PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
+
+/// Which corners are shaded together is decided on the original's shape, which has the sharp edges; the
+/// curved sculpture keeps them.
+PreparedSculpture prepareSculpture(Sculpture sculpture, int threads = 1);
+
+MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
+                          const PreparedSculpture& sculpture, int width, int height);
+
+/// What the RT camera sees of the finished work: mirror, sculpture, ground; not the original.
+SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture);
+
+/// The reference: the original alone, seen directly.
+SceneInput makeOriginalScene(const Level& level, const PreparedMesh& original);
+
+}  // namespace anamorph

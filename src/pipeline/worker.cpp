@@ -1,0 +1,82 @@
+#include "pipeline/worker.h"
+
+#include <exception>
+
+namespace anamorph {
+
+Worker::Worker(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { loop(); }) {}
+
+Worker::~Worker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+    waiting_ = nullptr;
+    if (running_) running_->cancel();
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void Worker::request(Job job) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_ = std::move(job);
+    if (running_) running_->cancel();
+  }
+  changed_.notify_one();
+}
+
+void Worker::cancel() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_ = nullptr;
+  if (running_) running_->cancel();
+}
+
+bool Worker::busy() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_ || running_;
+}
+
+double Worker::share() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return share_;
+}
+
+std::optional<std::string> Worker::takeFailure() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
+}
+
+void Worker::loop() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return stopping_ || waiting_; });
+    if (stopping_) return;
+    Job job = std::exchange(waiting_, nullptr);
+    const CancelToken token;
+    running_ = token;
+    share_ = 0;
+    lock.unlock();
+
+    std::optional<std::string> failure;
+    const auto report = [this](double share) {
+      const std::lock_guard<std::mutex> reportLock(mutex_);
+      share_ = share;
+    };
+    try {
+      job(Progress{report, token});
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+    job = nullptr;  // frees what it holds before anybody is told
+
+    lock.lock();
+    running_.reset();
+    if (failure && !token.cancelled()) failure_ = std::move(failure);
+    lock.unlock();
+    if (wake_) wake_();
+    lock.lock();
+  }
+}
+
+}  // namespace anamorph

@@ -1,0 +1,45 @@
+#include "pipeline/original.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "geometry/shapes.h"
+
+namespace anamorph {
+namespace {
+
+TEST(Original, EveryBuiltInShapeIsClosed) {
+  for (const OriginalShape& shape :
+       {OriginalShape(BoxShape{}), OriginalShape(SphereShape{}), OriginalShape(TorusKnotShape{}),
+        OriginalShape(LetterFShape{}), OriginalShape(PawnShape{})}) {
+    const auto mesh = loadOriginal(shape, "level.json");
+    EXPECT_TRUE(isClosed(*mesh)) << shape.index();
+    EXPECT_GT(signedVolume(*mesh), 0) << shape.index();
+  }
+}
+
+TEST(Original, FileLiesBesideTheLevel) {
+  const std::string level = std::string(ANAMORPH_TEST_DATA) + "/meshes/level.json";
+  EXPECT_EQ(loadOriginal(FileShape{"cube.obj"}, level)->positions.size(), 8u);
+  EXPECT_THROW(loadOriginal(FileShape{"nothing.obj"}, level), Error);
+}
+
+TEST(Original, PlacedAfterUnitizing) {
+  const auto placed = placeOriginal(makeBox({6, 2, 2}, 1), true, {.position = {1, 2, 3}, .scale = Vector(2)});
+  const Box box = boundingBox(placed->positions);
+  EXPECT_EQ(box.centre(), Point(1, 2, 3));
+  EXPECT_NEAR(box.size().x, 2, 1e-15);
+  EXPECT_NEAR(box.size().y, 2.0 / 3, 1e-15);
+}
+
+TEST(FitInto, KeepsProportions) {
+  Box target;
+  target.extend({10, 10, 10});
+  target.extend({14, 20, 20});
+  const Box box = boundingBox(fitInto(makeBox({2, 1, 1}, 1), target).positions);
+  EXPECT_EQ(box.size(), Vector(4, 2, 2));
+  EXPECT_EQ(box.centre(), target.centre());
+}
+
+}  // namespace
+}  // namespace anamorph

@@ -1,0 +1,127 @@
+#include "pipeline/worker.h"
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace anamorph {
+namespace {
+
+using namespace std::chrono_literals;
+
+template <typename Condition>
+bool waitUntil(const Condition& condition) {
+  for (int i = 0; i < 5000 && !condition(); ++i) std::this_thread::sleep_for(1ms);
+  return condition();
+}
+
+// Runs until it is cancelled.
+void runForever(const Progress& progress) {
+  while (!progress.cancelled()) std::this_thread::sleep_for(100us);
+}
+
+TEST(Worker, DeliversAndWakes) {
+  Mailbox<int> box;
+  std::atomic<int> wakes{0};
+  Worker worker([&] { ++wakes; });
+  worker.request([&](const Progress&) { box.put(42); });
+  ASSERT_TRUE(waitUntil([&] { return wakes > 0; }));
+  EXPECT_EQ(box.take(), 42);
+  EXPECT_EQ(box.take(), std::nullopt) << "taken once";
+  EXPECT_FALSE(worker.busy());
+}
+
+TEST(Worker, LatestRequestWins) {
+  Mailbox<int> box;
+  std::atomic<int> started{0};
+  Worker worker;
+  worker.request([&](const Progress& progress) {
+    ++started;
+    runForever(progress);
+  });
+  ASSERT_TRUE(waitUntil([&] { return started == 1; }));
+  for (int i = 1; i <= 100; ++i) {
+    worker.request([&, i](const Progress& progress) {
+      ++started;
+      if (i < 100) runForever(progress);
+      box.put(i);
+    });
+  }
+  std::optional<int> last;
+  ASSERT_TRUE(waitUntil([&] {
+    if (auto value = box.take()) last = value;
+    return last == 100;
+  }));
+  EXPECT_TRUE(waitUntil([&] { return !worker.busy(); }));
+  EXPECT_LT(started, 102) << "most were replaced before they began, none ran twice";
+}
+
+TEST(Worker, RequestNeverWaitsForTheRunningJob) {
+  std::atomic<bool> release{false};
+  Worker worker;
+  worker.request([&](const Progress&) {
+    while (!release) std::this_thread::sleep_for(100us);  // a job that does not look at its token
+  });
+  ASSERT_TRUE(waitUntil([&] { return worker.busy(); }));
+  std::atomic<bool> second{false};
+  worker.request([&](const Progress&) { second = true; });
+  worker.cancel();
+  worker.request([&](const Progress&) { second = true; });
+  EXPECT_FALSE(second);
+  release = true;
+  EXPECT_TRUE(waitUntil([&] { return second.load(); }));
+}
+
+TEST(Worker, FailureIsAValue) {
+  std::atomic<int> wakes{0};
+  Worker worker([&] { ++wakes; });
+  worker.request([](const Progress&) { throw std::runtime_error("no such mesh"); });
+  ASSERT_TRUE(waitUntil([&] { return wakes > 0; }));
+  EXPECT_EQ(worker.takeFailure(), "no such mesh");
+  EXPECT_EQ(worker.takeFailure(), std::nullopt);
+  worker.request([](const Progress&) {});
+  EXPECT_TRUE(waitUntil([&] { return wakes > 1; })) << "and it goes on working";
+}
+
+TEST(Worker, ReportsItsShare) {
+  std::atomic<bool> release{false};
+  Worker worker;
+  worker.request([&](const Progress& progress) {
+    progress.update(0.5);
+    while (!release) std::this_thread::sleep_for(100us);
+  });
+  EXPECT_TRUE(waitUntil([&] { return worker.share() == 0.5; }));
+  release = true;
+}
+
+TEST(Worker, ManyThreadsMayAsk) {
+  std::atomic<int> done{0};
+  {
+    Worker worker;
+    std::vector<std::thread> askers;
+    for (int t = 0; t < 4; ++t) {
+      askers.emplace_back([&] {
+        for (int i = 0; i < 200; ++i) {
+          worker.request([&](const Progress& progress) { done += progress.update(1); });
+          if (i % 3 == 0) worker.cancel();
+          worker.busy();
+          worker.share();
+          worker.takeFailure();
+        }
+      });
+    }
+    for (std::thread& asker : askers) asker.join();
+  }  // the destructor cancels what is left
+  EXPECT_LE(done, 800);
+}
+
+TEST(Worker, DestructorDoesNotHang) {
+  Worker worker;
+  worker.request(runForever);
+}
+
+}  // namespace
+}  // namespace anamorph
