@@ -1,0 +1,81 @@
+// anamorph check: what is wrong with a level, a scene or a mesh, and where.
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "level/level_json.h"
+#include "level/level_library.h"
+#include "pipeline/original.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+namespace {
+
+std::string checkMesh(const std::string& file, const CommonOptions& common) {
+  const Mesh mesh = loadMesh(file, common.meshLimits());
+  const Vector size = boundingBox(mesh.positions).size();
+  const WeldedMesh welded = weldPositions(mesh);
+  return fmt::format("mesh, {} vertices, {} triangles, {:.4g} x {:.4g} x {:.4g}, {}", mesh.positions.size(),
+                     mesh.triangles.size(), size.x, size.y, size.z,
+                     isClosed(welded.mesh) ? "closed" : "not closed");
+}
+
+std::string checkScene(const Level& level) {
+  // The mesh is not known, but its place is: the problems of mirror and eye show with that point alone.
+  Mesh point;
+  point.positions.push_back(level.original.placement.position);
+  if (auto problem = findProblem(level, point)) throw Error(*problem);
+  return fmt::format("thesis scene, {} mirror", shapeName(level.optic.shape));
+}
+
+std::string checkLevel(const std::string& path, const Level& level, const CommonOptions& common) {
+  const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
+  const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
+  if (auto problem = findProblem(level, *original)) throw Error(*problem);
+  DeformInput input = makeDeformInput(level, original);
+  input.tolerancePixels = 0;
+  const Sculpture sculpture = makeSculpture(input, common.threads);
+  if (auto problem = findEmptiness(sculpture)) throw Error(*problem);
+  return fmt::format("level \"{}\", {} mirror, {} of {} vertices mapped", level.title,
+                     shapeName(level.optic.shape), sculpture.originalStatus[0], original->positions.size());
+}
+
+std::string checkFile(const std::string& file, const CommonOptions& common) {
+  if (isMeshFile(file)) return checkMesh(file, common);
+  const std::string path = findLevel(file).string();
+  const LoadedLevel loaded = loadLevel(path);
+  sayWarnings(common, loaded.warnings);
+  try {
+    return loaded.isThesisScene ? checkScene(loaded.level) : checkLevel(path, loaded.level, common);
+  } catch (const Error& error) {
+    if (!error.file.empty()) throw;
+    throw Error(error.message, path);
+  }
+}
+
+void check(const std::vector<std::string>& files, const CommonOptions& common) {
+  std::size_t bad = 0;
+  for (const std::string& file : files) {
+    try {
+      fmt::print("{}: {}\n", file, checkFile(file, common));
+    } catch (const Error& error) {
+      fmt::print(stderr, "{}\n", error.what());
+      ++bad;
+    }
+  }
+  if (bad > 0) throw Error(fmt::format("{} of {} files have faults", bad, files.size()));
+}
+
+}  // namespace
+
+void addCheckCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command =
+      app.add_subcommand("check", "Tell what is wrong with levels, thesis scenes and meshes, and where");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  command->add_option("FILE", *files, "Levels, thesis scenes or meshes")->required();
+  addCommonOptions(*command, common);
+  command->callback([files, &common] { check(*files, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,65 @@
+#include "cli/common_options.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+
+MeshLimits CommonOptions::meshLimits() const {
+  MeshLimits limits;
+  limits.maxBytes = maxMeshMebibytes << 20;
+  limits.maxVertices = maxVertices;
+  return limits;
+}
+
+void addCommonOptions(CLI::App& command, CommonOptions& options) {
+  command.add_option("--threads", options.threads, "Threads to use (default: all)")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", options.quiet, "No messages and no progress bar, only results and errors");
+  command
+      .add_option("--max-mesh-mb", options.maxMeshMebibytes,
+                  "Largest mesh file to read, in MiB (default 2048)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20));
+  command.add_option("--max-vertices", options.maxVertices, "Most vertices to read (default 50000000)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+}
+
+void sayMessage(const CommonOptions& options, const std::string& text) {
+  if (!options.quiet) fmt::print(stderr, "{}\n", text);
+}
+
+void sayWarnings(const CommonOptions& options, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) sayMessage(options, "warning: " + warning);
+}
+
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ProgressBar::ProgressBar(const CommonOptions& options, std::string what)
+    : what_(std::move(what)), startSeconds_(secondsNow()) {
+  if (!options.quiet && isatty(fileno(stderr)) != 0) {
+    progress_.report = [this](double share) { draw(share); };
+  }
+}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) fmt::print(stderr, "\r{:60}\r", "");
+}
+
+void ProgressBar::draw(double share) {
+  const double now = secondsNow();
+  if (now - startSeconds_ < 1 || now - drawnSeconds_ < 0.1) return;
+  constexpr int width = 30;
+  const int filled = static_cast<int>(share * width);
+  fmt::print(stderr, "\r{} [{:#<{}}{:<{}}] {:3.0f} %", what_, "", filled, "", width - filled, 100 * share);
+  drawnSeconds_ = now;
+  drawn_ = true;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,54 @@
+// Options that all commands understand, and how they speak to people.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/progress.h"
+#include "geometry/mesh_files.h"
+
+namespace anamorph {
+
+struct CommonOptions {
+  int threads = 0;  ///< 0: all
+  bool quiet = false;
+  bool json = false;
+  std::size_t maxMeshMebibytes = 2048;
+  std::size_t maxVertices = 50'000'000;
+
+  MeshLimits meshLimits() const;
+};
+
+void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// One line on stderr, unless --quiet.
+void sayMessage(const CommonOptions& options, const std::string& text);
+void sayWarnings(const CommonOptions& options, const std::vector<std::string>& warnings);
+
+/// A bar on stderr for what takes longer than a second, when stderr is a terminal. Gone when done.
+class ProgressBar {
+ public:
+  ProgressBar(const CommonOptions& options, std::string what);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  const Progress& progress() const { return progress_; }
+
+ private:
+  void draw(double share);
+
+  std::string what_;
+  double startSeconds_;
+  double drawnSeconds_ = 0;
+  bool drawn_ = false;
+  Progress progress_;
+};
+
+/// Seconds of a clock that only goes forward.
+double secondsNow();
+
+}  // namespace anamorph

@@ -1,0 +1,95 @@
+// anamorph deform: the sculpture as a mesh file.
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/report.h"
+#include "cli/usage_error.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+namespace {
+
+struct DeformOptions {
+  InputOptions input;
+  std::string output;
+  int imageSize = 512;
+  double millimetresPerUnit = 1;
+};
+
+void deform(const DeformOptions& options, const CommonOptions& common) {
+  if (!isMeshFile(options.output)) {
+    throw UsageError(options.output + ": expected an output file that ends in .obj, .stl or .ply");
+  }
+  Input input = loadInput(options.input, common);
+  input.level.sculpture.imageSize = options.imageSize;
+  const double deformStart = secondsNow();
+  Sculpture sculpture;
+  {
+    const ProgressBar bar(common, "deforming");
+    sculpture = makeSculpture(makeDeformInput(input.level, input.original), common.threads, bar.progress());
+  }
+  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
+  const double writeStart = secondsNow();
+  MeshFileOptions file;
+  file.scale = options.millimetresPerUnit;
+  file.comment =
+      "sculpture for the " + std::string(shapeName(input.level.optic.shape)) + " mirror, made by Anamorph";
+  saveMesh(options.output, sculpture.mesh, file);
+  const double end = secondsNow();
+
+  if (sculpture.budgetHit) {
+    sayMessage(common,
+               fmt::format("warning: refinement stopped at the budget of {} triangles with {:.2f} px left; "
+                           "raise maxTriangles in the level or the tolerance",
+                           input.level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
+  }
+  const StatusCounts& counts = sculpture.originalStatus;
+  const bool ownVertices = input.level.sculpture.tolerancePixels == 0;
+  if (counts[0] != input.original->positions.size()) {
+    sayMessage(common, "warning: " + statusSentence(counts) + "; faces with an unmapped corner are left out" +
+                           (ownVertices ? ", their vertex lines keep the original's position" : ""));
+  }
+  if (!common.json) {
+    sayMessage(common, fmt::format("{}: {} vertices, {} triangles", options.output,
+                                   sculpture.mesh.positions.size(), sculpture.mesh.triangles.size()));
+    return;
+  }
+  const Box box = boundingBox(sculpture.mesh.positions);
+  const double scale = options.millimetresPerUnit;
+  printJson(JsonObject()
+                .add("vertices", sculpture.mesh.positions.size())
+                .add("triangles", sculpture.mesh.triangles.size())
+                .add("status", statusJson(counts))
+                .add("unmappedVertices",
+                     std::string(ownVertices ? "original position kept, faces dropped" : "dropped"))
+                .add("budgetHit", sculpture.budgetHit)
+                .add("bounds", JsonObject().add("min", scale * box.min).add("max", scale * box.max).value())
+                .add("seconds", JsonObject()
+                                    .add("load", input.loadSeconds)
+                                    .add("deform", writeStart - deformStart)
+                                    .add("write", end - writeStart)
+                                    .value())
+                .value());
+}
+
+}  // namespace
+
+void addDeformCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command = app.add_subcommand("deform", "Make the sculpture and write it as OBJ, STL or PLY");
+  const auto options = std::make_shared<DeformOptions>();
+  addInputOptions(*command, options->input);
+  command->add_option("-o,--output", options->output, "The file to write: .obj, .stl or .ply")->required();
+  command
+      ->add_option("--image-size", options->imageSize, "Height of the image that the tolerance is meant for")
+      ->check(CLI::Range(16, 16384));
+  command->add_option("--mm-per-unit", options->millimetresPerUnit, "Millimetres per scene unit in the file")
+      ->check(CLI::Range(1e-6, 1e6));
+  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { deform(*options, common); });
+}
+
+}  // namespace anamorph

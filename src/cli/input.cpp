@@ -1,0 +1,89 @@
+#include "cli/input.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "cli/usage_error.h"
+#include "level/level_json.h"
+#include "level/level_library.h"
+#include "pipeline/original.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+namespace {
+
+// "off" or a number of pixels.
+std::string checkTolerance(std::string& text) {
+  if (text == "off") {
+    text = "0";
+    return {};
+  }
+  return CLI::Range(0.0, 100.0)(text).empty() ? std::string()
+                                              : "expected off or a number of pixels from 0 to 100";
+}
+
+std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const CommonOptions& common,
+                                            const std::string& levelPath, bool isScene, Level& level) {
+  Mesh model = loadMesh(options.model, common.meshLimits());
+  if (isScene || options.unitize) return placeOriginal(model, options.unitize, level.original.placement);
+  const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits());
+  const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
+  return std::make_shared<const Mesh>(fitInto(std::move(model), boundingBox(placed->positions)));
+}
+
+void applyOptions(const InputOptions& options, Level& level) {
+  if (options.depthScale) level.sculpture.depthScale = *options.depthScale;
+  if (options.tolerancePixels) level.sculpture.tolerancePixels = *options.tolerancePixels;
+  if (options.fovDegrees) level.camera.fovDegrees = *options.fovDegrees;
+  if (options.up == "y") level.camera.up = {0, 1, 0};
+  if (options.up == "z") level.camera.up = {0, 0, 1};
+}
+
+}  // namespace
+
+void addInputOptions(CLI::App& command, InputOptions& options) {
+  command
+      .add_option("FILE", options.file, "A level (a file, or the name of an installed one) or a thesis scene")
+      ->required();
+  command.add_option("MODEL", options.model, "An OBJ, STL or PLY mesh that takes the place of the original");
+  command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
+      ->check(CLI::Range(0.01, 100.0));
+  command
+      .add_option("--tolerance", options.tolerancePixels,
+                  "Refine until edges are this straight, in pixels; off: the original's own vertices")
+      ->transform(CLI::Validator(checkTolerance, "PX|off"));
+  command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees (thesis scenes: 40)")
+      ->check(CLI::Range(1.0, 170.0));
+  command.add_option("--up", options.up, "The camera's up (thesis scenes: z)")
+      ->check(CLI::IsMember({"z", "y"}));
+  command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");
+}
+
+Input loadInput(const InputOptions& options, const CommonOptions& common) {
+  const double start = secondsNow();
+  const std::string path = findLevel(options.file).string();
+  LoadedLevel loaded = loadLevel(path);
+  sayWarnings(common, loaded.warnings);
+  Input input{path, std::move(loaded.level), nullptr, 0};
+  if (loaded.isThesisScene && options.model.empty()) {
+    throw UsageError(
+        path +
+        " is a scene of the thesis: it says where the mesh stands, but not which. Name one after it, "
+        "for example: anamorph match " +
+        path + " model.obj");
+  }
+  if (!options.model.empty()) {
+    input.original = replaceOriginal(options, common, path, loaded.isThesisScene, input.level);
+  } else {
+    const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
+    input.original =
+        placeOriginal(*own, input.level.original.unitize || options.unitize, input.level.original.placement);
+  }
+  applyOptions(options, input.level);
+  if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();
+  if (auto problem = findProblem(input.level, *input.original)) throw Error(*problem, path);
+  input.loadSeconds = secondsNow() - start;
+  return input;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,38 @@
+// FILE and MODEL of the commands: a level or a scene of the thesis, and a mesh that takes the place of its
+// original.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/common_options.h"
+#include "level/level.h"
+
+namespace anamorph {
+
+struct InputOptions {
+  std::string file;
+  std::string model;
+  std::optional<double> depthScale;
+  std::optional<double> tolerancePixels;  ///< 0 is "off"
+  std::optional<double> fovDegrees;
+  std::string up;
+  bool unitize = false;
+};
+
+void addInputOptions(CLI::App& command, InputOptions& options);
+
+struct Input {
+  std::string name;  ///< the file, for messages
+  Level level;
+  std::shared_ptr<const Mesh> original;  ///< in scene coordinates
+  double loadSeconds = 0;
+};
+
+/// Reads both files and applies the options. A MODEL for a level is fitted into the box of the level's own
+/// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. Throws
+/// Error, also when no sculpture can be made of it, and UsageError when a scene comes without a MODEL.
+Input loadInput(const InputOptions& options, const CommonOptions& common);
+
+}  // namespace anamorph

@@ -1,0 +1,67 @@
+// anamorph match: how well the reflection agrees with the original.
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/report.h"
+#include "pipeline/picture.h"
+
+namespace anamorph {
+namespace {
+
+struct MatchOptions {
+  InputOptions input;
+  int size = 512;
+};
+
+void printReport(const MatchReport& report, const StatusCounts& counts) {
+  fmt::print("match               {}\n", matchGradeName(gradeOf(report)));
+  fmt::print("silhouette IoU      {:.5f}\n", report.silhouetteIou);
+  if (report.comparedPixels > 0) {
+    fmt::print("correspondence      mean {:.3f} px, p99 {:.3f} px, max {:.3f} px\n", report.meanPx,
+               report.p99Px, report.maxPx);
+  } else {
+    fmt::print("correspondence      no pixel shows both\n");
+  }
+  fmt::print("triangle agreement  {:.5f}\n", report.triangleAgreement);
+  fmt::print("hidden share        {:.5f}\n", report.hiddenShare);
+  fmt::print("missed share        {:.5f}\n", report.missedShare);
+  fmt::print("status              {}\n", statusSentence(counts));
+}
+
+void match(const MatchOptions& options, const CommonOptions& common) {
+  Input input = loadInput(options.input, common);
+  input.level.sculpture.imageSize = options.size;
+  const ProgressBar bar(common, "matching");
+  const auto finished = finishLevel(input.level, input.original, common.threads, bar.progress());
+  const Sculpture& sculpture = *finished->sculpture.sculpture;
+  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
+  const MatchReport report = computeMatch(makeMatchInput(input.level, finished->original, finished->sculpture,
+                                                         options.size, options.size),
+                                          common.threads)
+                                 .report;
+  if (common.json) {
+    printJson(matchJson(report, sculpture.originalStatus));
+  } else {
+    printReport(report, sculpture.originalStatus);
+  }
+}
+
+}  // namespace
+
+void addMatchCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command =
+      app.add_subcommand("match", "Compare what the mirror shows with the original, in figures");
+  const auto options = std::make_shared<MatchOptions>();
+  addInputOptions(*command, options->input);
+  command
+      ->add_option("--size", options->size, "Width and height of the compared image in pixels (default 512)")
+      ->check(CLI::Range(1, 8192));
+  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { match(*options, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,85 @@
+// anamorph render: a ray-traced picture from the RT camera.
+
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/usage_error.h"
+#include "pipeline/picture.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int maxSide = 16384;
+
+struct RenderOptions {
+  InputOptions input;
+  std::string output;
+  std::pair<int, int> size{512, 512};
+  std::string view = "reflection";
+  int samples = 0;  // 0: as in the level
+};
+
+// "WxH" to two numbers.
+std::pair<int, int> parseSize(const std::string& text) {
+  int width = 0, height = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &more) != 2 || width < 1 || height < 1 ||
+      width > maxSide || height > maxSide) {
+    throw CLI::ValidationError(
+        "--size", fmt::format("expected WIDTHxHEIGHT with sides from 1 to {}, got {}", maxSide, text));
+  }
+  return {width, height};
+}
+
+void render(const RenderOptions& options, const CommonOptions& common) {
+  static const std::map<std::string, PictureKind> kinds{{"reflection", PictureKind::reflection},
+                                                        {"original", PictureKind::original},
+                                                        {"difference", PictureKind::difference}};
+  if (!options.output.ends_with(".png"))
+    throw UsageError(options.output + ": expected an output file that ends in .png");
+  const auto [width, height] = options.size;
+  Input input = loadInput(options.input, common);
+  input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
+  if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
+  const ProgressBar bar(common, "rendering");
+  const auto finished = finishLevel(input.level, input.original, common.threads);
+  if (auto problem = findEmptiness(*finished->sculpture.sculpture)) throw Error(*problem, input.name);
+  const PictureKind kind = kinds.at(options.view);
+  Match match;
+  if (kind == PictureKind::difference) {
+    match = computeMatch(makeMatchInput(input.level, finished->original, finished->sculpture, width, height),
+                         common.threads);
+  }
+  const auto image = makePicture(
+      *finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, bar.progress());
+  savePng(options.output, *image);
+  sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, width, height));
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command = app.add_subcommand("render", "Ray-trace what the RT camera sees, as PNG");
+  const auto options = std::make_shared<RenderOptions>();
+  addInputOptions(*command, options->input);
+  command->add_option("-o,--output", options->output, "The PNG file to write")->required();
+  command->add_option_function<std::string>(
+      "--size", [options](const std::string& text) { options->size = parseSize(text); },
+      "WIDTHxHEIGHT (default 512x512)");
+  command->add_option("--view", options->view, "reflection, original or difference")
+      ->check(CLI::IsMember({"reflection", "original", "difference"}));
+  command
+      ->add_option("--samples", options->samples,
+                   "Samples along each side of a pixel, 1 to 4 (default: the level's)")
+      ->check(CLI::Range(1, 4));
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { render(*options, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,89 @@
+#include "cli/report.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+namespace {
+
+JsonValue numberJson(double number) {
+  if (!std::isfinite(number)) return {};
+  return {JsonValue::Kind::number, fmt::format("{}", number), number, {}, {}};
+}
+
+}  // namespace
+
+JsonObject& JsonObject::add(const std::string& key, JsonValue value) {
+  value_.keys.push_back(key);
+  value_.items.push_back(std::move(value));
+  return *this;
+}
+
+JsonObject& JsonObject::add(const std::string& key, double value) {
+  return add(key, numberJson(value));
+}
+
+JsonObject& JsonObject::add(const std::string& key, std::size_t value) {
+  return add(key,
+             JsonValue{JsonValue::Kind::number, std::to_string(value), static_cast<double>(value), {}, {}});
+}
+
+JsonObject& JsonObject::add(const std::string& key, bool value) {
+  return add(key, JsonValue{JsonValue::Kind::boolean, value ? "true" : "false", 0, {}, {}});
+}
+
+JsonObject& JsonObject::add(const std::string& key, const std::string& value) {
+  return add(key, JsonValue{JsonValue::Kind::string, value, 0, {}, {}});
+}
+
+JsonObject& JsonObject::add(const std::string& key, const Vector& value) {
+  JsonValue array{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (int axis = 0; axis < 3; ++axis) array.items.push_back(numberJson(value[axis]));
+  return add(key, std::move(array));
+}
+
+JsonValue statusJson(const StatusCounts& counts) {
+  JsonObject status;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    status.add(pathStatusName(static_cast<PathStatus>(i)), counts[i]);
+  return status.value();
+}
+
+JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
+  JsonValue correspondence;
+  if (report.comparedPixels > 0) {
+    correspondence =
+        JsonObject().add("mean", report.meanPx).add("p99", report.p99Px).add("max", report.maxPx).value();
+  }
+  return JsonObject()
+      .add("size", static_cast<std::size_t>(report.height))
+      .add("silhouetteIou", report.silhouetteIou)
+      .add("correspondencePx", correspondence)
+      .add("triangleAgreement", report.triangleAgreement)
+      .add("hiddenShare", report.hiddenShare)
+      .add("missedShare", report.missedShare)
+      .add("grade", std::string(matchGradeName(gradeOf(report))))
+      .add("status", statusJson(counts))
+      .value();
+}
+
+std::string statusSentence(const StatusCounts& counts) {
+  std::size_t total = 0;
+  std::string rest;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    total += counts[i];
+    if (i == 0 || counts[i] == 0) continue;
+    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
+                        pathStatusName(static_cast<PathStatus>(i)));
+  }
+  const std::string mapped = fmt::format("{} of {} vertices mapped", counts[0], total);
+  return rest.empty() ? mapped : mapped + " (" + rest + ")";
+}
+
+void printJson(const JsonValue& value) {
+  fmt::print("{}\n", formatJson(value));
+}
+
+}  // namespace anamorph
