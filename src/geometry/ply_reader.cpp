@@ -55,13 +55,12 @@ class PlyReader {
                               element.count, inQuotes(element.name), most),
                   file_);
     }
-    if (element.properties.empty()) return;
     element_ = &element;
     if (element.name == "vertex") {
       readVertices();
     } else if (element.name == "face") {
       readFaces();
-    } else {
+    } else if (!element.properties.empty()) {  // billions of empty rows would take their time
       for (row_ = 0; row_ < element.count; ++row_) {
         for (const PlyProperty& property : element.properties) skip(property);
       }

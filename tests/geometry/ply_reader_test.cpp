@@ -148,6 +148,12 @@ TEST(PlyReader, BadHeadsAreNamedByLine) {
        "line 4: expected a whole-number type after list, got \"property list float int vertex_indices\""},
       {start + "end_header\n", "expected an element vertex, got none"},
       {start + "element vertex 1\n" + xyz + "end_header\n1 2 3\n", "expected an element face, got none"},
+      {head("ascii", "element vertex 6\nelement face 1\n" + faces) + "4 0 1 2 3",
+       "expected a property x of element vertex, got none"},
+      {head("ascii", "element face 1\n" + faces + "element vertex 6\n") + "4 0 1 2 3",
+       "expected a property x of element vertex, got none"},
+      {head("ascii", "element vertex 1\n" + xyz + "element face 1\n") + "1 2 3",
+       "expected a property list vertex_indices of element face, got none"},
       {head("ascii", "element vertex 0\n" + xyz + "element face 0\n" + faces),
        "expected at least one vertex, got 0"},
       {head("ascii", "element vertex 1\nproperty float x\nproperty float z\nelement face 0\n" + faces) +
