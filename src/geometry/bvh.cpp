@@ -39,7 +39,6 @@ BvhPrimitive makePrimitive(const PointArray& points, const Triangle& t, const Po
 
 BvhBlock makeBlock(std::span<const Triangle> triangles, std::span<const std::uint32_t> members) {
   BvhBlock block{};
-  std::fill_n(&block.corner[0][0][0], 36, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t lane = 0; lane < members.size(); ++lane) {
     block.triangle[lane] = members[lane];
     for (int corner = 0; corner < 3; ++corner) block.point[corner][lane] = triangles[members[lane]][corner];

@@ -113,7 +113,8 @@ void findBestSplit(const std::array<Bin, binCount>& bins, int axis, Split& best)
 
 class Builder {
  public:
-  explicit Builder(std::vector<BvhPrimitive>& primitives) : primitives_(primitives.data()) {}
+  Builder(std::vector<BvhPrimitive>& primitives, int maxDepth)
+      : primitives_(primitives.data()), maxDepth_(maxDepth) {}
 
   /// Splits the range and returns where its right part begins.
   std::uint32_t split(const Range& range, int depth) const;
@@ -129,6 +130,7 @@ class Builder {
   std::uint32_t halve(const Range& range) const;
 
   BvhPrimitive* primitives_;
+  int maxDepth_;
 };
 
 BvhNode makeLeaf(const Range& range) {
@@ -165,7 +167,7 @@ std::uint32_t Builder::halve(const Range& range) const {
 }
 
 std::uint32_t Builder::split(const Range& range, int depth) const {
-  if (depth + 1 + halvingDepth(range.count) > bvhMaxDepth) return halve(range);
+  if (depth + 1 + halvingDepth(range.count) > maxDepth_) return halve(range);
   const Binning binning(range.centroids);
   BvhPrimitive* begin = primitives_ + range.first;
   BvhPrimitive* end = begin + range.count;
@@ -247,8 +249,8 @@ void append(std::vector<BvhNode>& nodes, const Task& task) {
 
 }  // namespace
 
-std::vector<BvhNode> buildBinaryTree(std::vector<BvhPrimitive>& primitives, int threads) {
-  const Builder builder(primitives);
+std::vector<BvhNode> buildBinaryTree(std::vector<BvhPrimitive>& primitives, int threads, int maxDepth) {
+  const Builder builder(primitives, maxDepth);
   std::vector<BvhNode> nodes;
   nodes.reserve(primitives.size());
   std::vector<Task> tasks = buildTop(builder, nodes, static_cast<std::uint32_t>(primitives.size()));

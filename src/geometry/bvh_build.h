@@ -24,8 +24,10 @@ struct alignas(32) BvhPrimitive {
   std::uint32_t unused;
 };
 
-/// Nodes over the primitives, which are put into the order of the leaves. At least one primitive.
-std::vector<BvhNode> buildBinaryTree(std::vector<BvhPrimitive>& primitives, int threads);
+/// Nodes over the primitives, which are put into the order of the leaves. At least one primitive. Where a
+/// branch comes near to `maxDepth`, its triangles are halved instead of split well.
+std::vector<BvhNode> buildBinaryTree(std::vector<BvhPrimitive>& primitives, int threads,
+                                     int maxDepth = bvhMaxDepth);
 
 struct BvhWideTree {
   std::vector<BvhWideNode> nodes;     ///< without bounds, those are copied from the sources

@@ -36,11 +36,6 @@ Family openNode(const std::vector<BvhNode>& nodes, std::uint32_t root) {
 
 BvhWideNode makeEmptyNode() {
   BvhWideNode node{};
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  for (auto& axis : node.bounds) {
-    std::fill(std::begin(axis[0]), std::end(axis[0]), infinity);
-    std::fill(std::begin(axis[1]), std::end(axis[1]), -infinity);
-  }
   std::fill(std::begin(node.source), std::end(node.source), BvhWideNode::noSource);
   return node;
 }

@@ -13,7 +13,7 @@
 namespace anamorph {
 
 /// A node of the binary tree, two RGBA texels large. Node 0 is the root; children come after their parent.
-struct BvhNode {
+struct alignas(16) BvhNode {
   float min[3] = {0, 0, 0};
   std::uint32_t link =
       0;  ///< the left child (the right one follows it), or the leaf's first place in `order`

@@ -36,11 +36,11 @@ ANAMORPH_ALWAYS_INLINE FloatRay makeFloatRay(const Ray& ray, const Point& centre
   const Vector origin = toOrigin + r.shift * ray.direction;
   float direction[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const float d = direction[axis] = static_cast<float>(ray.direction[axis]);
-    // A finite inverse keeps 0 * infinity out of the slab test; the ray stays where it is by far less than
-    // the padding.
-    r.inverse[axis] = 1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
     r.origin[axis] = static_cast<float>(origin[axis]);
+    direction[axis] = static_cast<float>(ray.direction[axis]);
+    // Infinite for 0. The slab test then misses a box only where 0 * infinity is no number: when the origin
+    // lies exactly on the plane of a side, and there, on the rim of the padding, is nothing to meet.
+    r.inverse[axis] = 1 / direction[axis];
     r.nearSide[axis] = r.inverse[axis] < 0;
   }
   const float ax = std::abs(direction[0]), ay = std::abs(direction[1]), az = std::abs(direction[2]);

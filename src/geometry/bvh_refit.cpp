@@ -30,44 +30,66 @@ std::vector<FloatPoint> copyPoints(BvhData& data, const PointArray& points, int 
   return floats;
 }
 
+/// The x, y and z of four points.
+void storeTransposed(const Float4 (&p)[4], float* x, float* y, float* z) {
+  const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5);
+  const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5);
+  const Float4 zw01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
+  const Float4 zw23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
+  store(x, __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5));
+  store(y, __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7));
+  store(z, __builtin_shufflevector(zw01, zw23, 0, 1, 4, 5));
+}
+
+/// The fourth lane of what is loaded from a node's min and max is no coordinate, and is put back after
+/// storing.
+void storeBox(BvhNode& node, Float4 min, Float4 max) {
+  const std::uint32_t link = node.link, count = node.count;
+  store(node.min, min);
+  store(node.max, max);
+  node.link = link;
+  node.count = count;
+}
+
 /// The corners of a leaf's triangles into its block, and their box into the leaf.
-void fillBlock(const std::vector<FloatPoint>& points, float pad, BvhBlock& block, BvhNode& leaf) {
+void fillBlock(const std::vector<FloatPoint>& points, Float4 pad, BvhBlock& block, BvhNode& leaf) {
   Float4 min = broadcast(std::numeric_limits<float>::infinity()), max = -min;
-  for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const Float4 p = load(points[block.point[corner][lane]].x);
-      for (int axis = 0; axis < 3; ++axis) block.corner[corner][axis][lane] = p[axis];
-      min = minimum(min, p);
-      max = maximum(max, p);
+  for (int corner = 0; corner < 3; ++corner) {
+    Float4 p[4];
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      p[lane] = lane < leaf.count ? load(points[block.point[corner][lane]].x)
+                                  : broadcast(std::numeric_limits<float>::quiet_NaN());
+      // In this order of arguments NaN loses.
+      min = minimum(p[lane], min);
+      max = maximum(p[lane], max);
     }
+    storeTransposed(p, block.corner[corner][0], block.corner[corner][1], block.corner[corner][2]);
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    leaf.min[axis] = min[axis] - pad;
-    leaf.max[axis] = max[axis] + pad;
-  }
+  storeBox(leaf, min - pad, max + pad);
 }
 
 /// From the last node to the first: children before their parents.
 void updateInnerNodes(std::vector<BvhNode>& nodes) {
   for (std::size_t i = nodes.size(); i-- > 0;) {
-    BvhNode& node = nodes[i];
-    if (node.count > 0) continue;
-    const BvhNode &left = nodes[node.link], &right = nodes[node.link + 1];
-    for (int axis = 0; axis < 3; ++axis) {
-      node.min[axis] = std::min(left.min[axis], right.min[axis]);
-      node.max[axis] = std::max(left.max[axis], right.max[axis]);
-    }
+    if (nodes[i].count > 0) continue;
+    const BvhNode &left = nodes[nodes[i].link], &right = nodes[nodes[i].link + 1];
+    storeBox(nodes[i], minimum(load(left.min), load(right.min)), maximum(load(left.max), load(right.max)));
   }
 }
 
 void copyBounds(const std::vector<BvhNode>& nodes, BvhWideNode& wide) {
-  for (int child = 0; child < BvhWideNode::width; ++child) {
-    if (wide.source[child] == BvhWideNode::noSource) continue;
-    const BvhNode& source = nodes[wide.source[child]];
-    for (int axis = 0; axis < 3; ++axis) {
-      wide.bounds[axis][0][child] = source.min[axis];
-      wide.bounds[axis][1][child] = source.max[axis];
+  const Float4 nothing = broadcast(std::numeric_limits<float>::infinity());
+  for (int half = 0; half < BvhWideNode::width; half += 4) {
+    Float4 min[4], max[4];
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t source = wide.source[half + i];
+      const bool used = source != BvhWideNode::noSource;
+      min[i] = used ? load(nodes[source].min) : nothing;
+      max[i] = used ? load(nodes[source].max) : -nothing;
     }
+    auto& [x, y, z] = wide.bounds;
+    storeTransposed(min, x[0] + half, y[0] + half, z[0] + half);
+    storeTransposed(max, x[1] + half, y[1] + half, z[1] + half);
   }
 }
 
@@ -91,7 +113,7 @@ void placeFrame(BvhData& data, const PointArray& points) {
 
 void placePoints(BvhData& data, const PointArray& points, int threads) {
   const std::vector<FloatPoint> floats = copyPoints(data, points, threads);
-  const auto pad = static_cast<float>(padding * data.radius);
+  const Float4 pad = broadcast(static_cast<float>(padding * data.radius));
   parallelFor(data.blocks.size(), 2048, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       fillBlock(floats, pad, data.blocks[i], data.nodes[data.blockLeaf[i]]);

@@ -27,8 +27,8 @@ struct PointLight {
 
 /// A vertical gradient behind everything: `bottom` straight down, `top` straight up.
 struct Background {
-  Color top{0.62, 0.70, 0.80};
-  Color bottom{0.93, 0.93, 0.92};
+  Color top{0.02, 0.045, 0.09};
+  Color bottom{0.48, 0.52, 0.57};
 
   bool operator==(const Background&) const = default;
 };

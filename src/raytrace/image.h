@@ -3,6 +3,7 @@
 // the sRGB curve. Origin top-left, rows from the top. Files are in png.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

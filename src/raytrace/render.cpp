@@ -1,7 +1,6 @@
 #include "raytrace/render.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 
 #include "base/check.h"

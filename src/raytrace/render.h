@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "base/progress.h"
 #include "optics/camera.h"

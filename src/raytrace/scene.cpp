@@ -1,6 +1,7 @@
 #include "raytrace/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 

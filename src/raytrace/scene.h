@@ -6,6 +6,7 @@
 // picture leaves the optic and the sculpture out.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>

@@ -7,6 +7,7 @@
 // pixel.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "math/ray.h"

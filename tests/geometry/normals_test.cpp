@@ -37,6 +37,11 @@ TEST(Normals, CubeHasFourCornersOnEachOfSixFaces) {
   }
 }
 
+TEST(Normals, CubeIsSmoothAtACreaseOfItsOwnAngle) {
+  EXPECT_EQ(makeNormalGroups(makeBox({1, 2, 3}, 1), 90).count, 8u);
+  EXPECT_EQ(makeNormalGroups(makeBox({1, 2, 3}, 1), 89).count, 24u);
+}
+
 TEST(Normals, FineSphereHasOnePerVertexPointingOutwards) {
   const Mesh sphere = makeSphere(2, 64);
   const NormalGroups groups = makeNormalGroups(sphere);
@@ -87,10 +92,12 @@ TEST(Normals, EdgesOfThreeFacesAreSharp) {
 }
 
 TEST(Normals, FacesOfOppositeWindingShareNothing) {
-  Mesh mesh = makeHinge(0);
-  std::swap(mesh.triangles[2][1], mesh.triangles[2][2]);
-  std::swap(mesh.triangles[3][1], mesh.triangles[3][2]);
-  EXPECT_EQ(makeNormalGroups(mesh).count, 8u);
+  for (const double degrees : {0.0, 90.0, 179.0}) {
+    Mesh mesh = makeHinge(degrees);
+    std::swap(mesh.triangles[2][1], mesh.triangles[2][2]);
+    std::swap(mesh.triangles[3][1], mesh.triangles[3][2]);
+    EXPECT_EQ(makeNormalGroups(mesh, 120).count, 8u) << degrees;
+  }
 }
 
 TEST(Normals, FacesWithoutAreaStandAloneAndPointUp) {
@@ -98,12 +105,15 @@ TEST(Normals, FacesWithoutAreaStandAloneAndPointUp) {
   mesh.positions.push_back({0, 0.5, 0});
   mesh.triangles.push_back({0, 6, 1});
   mesh.triangles.push_back({3, 3, 3});
-  const NormalGroups groups = makeNormalGroups(mesh);
-  const std::vector<glm::vec3> normals = normalsOf(mesh, groups);
-  for (std::size_t face = 4; face < 6; ++face) {
-    for (const std::uint32_t corner : groups.corners[face]) EXPECT_EQ(normals[corner], glm::vec3(0, 0, 1));
+  mesh.positions = mapPoints(mesh.positions, [](const Point& p) { return Point(p.z, p.x, p.y); });
+  for (const double crease : {30.0, 180.0}) {
+    const NormalGroups groups = makeNormalGroups(mesh, crease);
+    const std::vector<glm::vec3> normals = normalsOf(mesh, groups);
+    for (std::size_t face = 0; face < 6; ++face) {
+      const glm::vec3 expected = face < 4 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+      for (const std::uint32_t corner : groups.corners[face]) EXPECT_EQ(normals[corner], expected);
+    }
   }
-  for (const glm::vec3& normal : normals) EXPECT_TRUE(isFinite(normal));
 }
 
 TEST(Normals, FollowMovedPointsWithTheSameGroups) {

@@ -58,8 +58,15 @@ TEST(Levels, SculptureIsInViewOfTheRtCamera) {
 }
 
 TEST(ThesisScenes, EightVertexCubeNeedsRefinement) {
-  for (const char* name : {"framework-cylinder-1", "framework-cylinder-2", "framework-sphere-1",
-                           "framework-sphere-2", "thesis-sphere"}) {
+  const struct {
+    const char* name;
+    double coarseError;  // in pixels, exceeded without refinement; the last cube is small in its image
+  } scenes[] = {{"framework-cylinder-1", 2},
+                {"framework-cylinder-2", 2},
+                {"thesis-sphere", 2},
+                {"framework-sphere-1", 2},
+                {"framework-sphere-2", 1.2}};
+  for (const auto& [name, coarseError] : scenes) {
     SCOPED_TRACE(name);
     const std::string data = ANAMORPH_TEST_DATA;
     Level level = loadLevel(data + "/scenes/" + name + ".json").level;

@@ -62,7 +62,7 @@ inline ImageRequest smallImage(int width, int height, int threads = 1) {
   return request;
 }
 
-/// All positions of the input times `scale`; one mesh a surface, without smooth normals changed.
+/// The same scene, larger or smaller; its optic must be a cylinder.
 inline SceneInput scaled(SceneInput input, double scale) {
   const auto times = [scale](const Point& p) { return scale * p; };
   for (MeshSurface& surface : input.surfaces) {

@@ -1,0 +1,68 @@
+// What a frame of a drag has to compute, for a mesh as large as the largest of the thesis (49 k vertices, 98
+// k triangles): new vertices, new normals, new boxes. And what follows on release, for every installed level.
+
+#include <benchmark/benchmark.h>
+
+#include "anamorphosis/match.h"
+#include "geometry/shapes.h"
+#include "level/level_json.h"
+#include "level/level_library.h"
+#include "pipeline/original.h"
+#include "pipeline/picture.h"
+#include "ratios.h"
+
+namespace anamorph {
+namespace {
+
+void liveStep(benchmark::State& state) {
+  const int threads = static_cast<int>(state.range(0));
+  Mesh knot = makeTorusKnot(2, 3, 0.25, 980, 50);  // 49 000 vertices
+  knot.positions = mapPoints(knot.positions, [](const Point& p) { return Point(0, 5.4, 1.5) + p; });
+  DeformInput input;
+  input.original = std::make_shared<const Mesh>(knot);
+  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  input.camera.eye = {0, -13.6, 9.8};
+  input.camera.target = {0, 5.4, 1.5};
+  input.tolerancePixels = 0;
+  Sculpture sculpture = makeSculpture(input);
+  const NormalGroups groups = makeNormalGroups(sculpture.mesh);
+  Bvh bvh(sculpture.mesh.positions, sculpture.mesh.triangles, threads);
+  const PointArray original = sculpture.original;
+  double move = 0;
+  for (auto _ : state) {
+    move += 0.001;
+    remapSculpture(input.optic, input.camera.eye + Vector(move, 0, 0), 0.4, original, sculpture, threads);
+    benchmark::DoNotOptimize(
+        computeNormals(sculpture.mesh.positions, sculpture.mesh.triangles, groups, threads));
+    bvh.refit(sculpture.mesh.positions, threads);
+  }
+  state.counters["triangles"] = static_cast<double>(sculpture.mesh.triangles.size());
+}
+
+void release(benchmark::State& state, const char* name) {
+  const std::string path = std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
+  const Level level = loadLevel(path).level;
+  const auto shape = loadOriginal(level.original.shape, path);
+  const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
+  for (auto _ : state) {
+    const auto finished = finishLevel(level, original, 0);
+    benchmark::DoNotOptimize(
+        computeMatch(makeMatchInput(level, finished->original, finished->sculpture, 512, 512), 0).report);
+  }
+}
+
+BENCHMARK(liveStep)->Name("live step")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(release, plane, "1-plane")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(release, cylinder, "2-cylinder")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(release, sphere, "3-sphere")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+const bool rows[] = {
+    milliseconds("live step, 98 k triangles, 1 thread", "live step/1/real_time", "<= 8.0"),
+    milliseconds("live step, 98 k triangles, 2 threads", "live step/2/real_time", "<= 8.0"),
+    milliseconds("refine and match at 512, plane", "release/plane/real_time", "<= 1000"),
+    milliseconds("refine and match at 512, cylinder", "release/cylinder/real_time", "<= 1000"),
+    milliseconds("refine and match at 512, sphere", "release/sphere/real_time", "<= 1000"),
+};
+
+}  // namespace
+}  // namespace anamorph

@@ -1,0 +1,204 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "geometry/mesh_files.h"
+#include "level/json.h"
+#include "program.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string data = ANAMORPH_TEST_DATA;
+const std::string cube = data + "/meshes/cube.obj";
+const std::string sphereScene = data + "/scenes/thesis-sphere.json";
+const std::string cylinderScene = data + "/scenes/thesis-cylinder.json";
+
+const JsonValue& member(const JsonValue& object, const std::string& key) {
+  const auto at = std::find(object.keys.begin(), object.keys.end(), key);
+  if (at == object.keys.end()) throw Error("no member " + key);
+  return object.items[std::size_t(at - object.keys.begin())];
+}
+
+TEST(Program, HelpAndVersion) {
+  EXPECT_EQ(run("--version").exitCode, 0);
+  EXPECT_THAT(run("--version").out, HasSubstr("anamorph 0."));
+  const Result help = run("-h");
+  EXPECT_EQ(help.exitCode, 0);
+  for (const char* command : {"deform", "match", "render", "check", "levels"}) {
+    EXPECT_THAT(help.out, HasSubstr(command));
+    EXPECT_EQ(run(std::string(command) + " -h").exitCode, 0);
+  }
+}
+
+TEST(Program, WrongUsageIsTwo) {
+  for (const char* arguments :
+       {"", "nonsense", "deform", "match 1 --size 0", "match 1 --tolerance fine",
+        "render 1 -o x.png --size 5", "render 1 -o x.png --size 5x-5", "render 1 -o x.gif",
+        "deform 1 -o x.txt", "deform 1 -o x.obj --depth-scale 0", "match 1 --threads 0",
+        "render 1 -o x.png --view sideways", "check", "match 1 --tolerance -1"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_NE(result.err, "") << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+  }
+  const Result noModel = run("match " + sphereScene);
+  EXPECT_EQ(noModel.exitCode, 2);
+  EXPECT_THAT(noModel.err, HasSubstr("Name one after it"));
+}
+
+TEST(Deform, WritesTheSculptureInEveryFormat) {
+  const TemporaryFolder folder;
+  for (const char* name : {"s.obj", "s.stl", "s.ply"}) {
+    const Result result = run("deform " + sphereScene + " " + cube + " -o " + (folder / name));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const Mesh mesh = loadMesh(folder / name);
+    EXPECT_TRUE(isClosed(mesh)) << name;
+    EXPECT_GT(signedVolume(mesh), 0) << name;
+  }
+}
+
+TEST(Deform, OffKeepsVerticesAndOrder) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run("deform " + sphereScene + " " + cube + " --tolerance off -o " + (folder / "s.obj")).exitCode,
+            0);
+  std::ifstream expected(data + "/expected/thesis-sphere-cube.txt");
+  const Mesh mesh = loadMesh(folder / "s.obj");
+  ASSERT_EQ(mesh.positions.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    Point p;
+    expected >> p.x >> p.y >> p.z;
+    EXPECT_LT(glm::length(mesh.positions[i] - p), 1e-12 * 20);
+  }
+}
+
+TEST(Deform, JsonTellsWhatWasMade) {
+  const TemporaryFolder folder;
+  const Result result = run("deform 2-cylinder --json --mm-per-unit 10 -o " + (folder / "s.obj"));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const JsonValue json = parseJson(result.out, "stdout");
+  EXPECT_THAT(json.keys, ElementsAre("vertices", "triangles", "status", "unmappedVertices", "budgetHit",
+                                     "bounds", "seconds"));
+  EXPECT_THAT(member(json, "status").keys,
+              ElementsAre("mapped", "missesMirror", "inFrontOfMirror", "grazing", "hitsMirrorAgain"));
+  EXPECT_THAT(member(json, "seconds").keys, ElementsAre("load", "deform", "write"));
+  const Mesh mesh = loadMesh(folder / "s.obj");
+  EXPECT_EQ(member(json, "vertices").number, double(mesh.positions.size()));
+  EXPECT_EQ(member(json, "triangles").number, double(mesh.triangles.size()));
+  EXPECT_NEAR(member(member(json, "bounds"), "max").items[0].number, boundingBox(mesh.positions).max.x, 1e-9);
+  EXPECT_GT(boundingBox(mesh.positions).size().x, 60) << "in millimetres";
+}
+
+TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
+  const TemporaryFolder folder;
+  // One corner of the cube is in front of the mirror's plane.
+  writeText(folder / "wedge.obj", "v 0 -11 0\nv 1 1 0\nv 1 1 1\nv -1 1 1\nf 1 2 3\nf 2 3 4\n");
+  const Result result = run("deform " + data + "/scenes/thesis-flat.json " + (folder / "wedge.obj") +
+                         " --tolerance off --json -o " + (folder / "s.obj"));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 inFrontOfMirror)"));
+  const Mesh mesh = loadMesh(folder / "s.obj");
+  ASSERT_EQ(mesh.positions.size(), 4u);
+  EXPECT_EQ(mesh.positions[0], Point(2, -1, 1)) << "the original's place";
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(member(parseJson(result.out, "out"), "unmappedVertices").text,
+            "original position kept, faces dropped");
+}
+
+TEST(Deform, ThesisCylinderIsExplainedAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const Result result = run("deform " + cylinderScene + " " + cube + " -o " + (folder / "s.obj"));
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, HasSubstr("the eye is inside the cylinder"));
+  EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST(Deform, ModelForALevelIsFittedIntoItsOriginal) {
+  const TemporaryFolder folder;
+  writeText(folder / "huge.obj",
+            "v 0 0 0\nv 900 0 0\nv 0 900 0\nv 0 0 900\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const Result result = run("match 1-plane " + (folder / "huge.obj") + " --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const JsonValue json = parseJson(result.out, "out");
+  EXPECT_EQ(member(json, "grade").text, "excellent");
+  EXPECT_EQ(member(json, "missedShare").number, 0);
+}
+
+TEST(Match, JsonHasEveryFigure) {
+  const Result result = run("match 3-sphere --size 200 --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const JsonValue json = parseJson(result.out, "out");
+  EXPECT_THAT(json.keys, ElementsAre("size", "silhouetteIou", "correspondencePx", "triangleAgreement",
+                                     "hiddenShare", "missedShare", "grade", "status"));
+  EXPECT_THAT(member(json, "correspondencePx").keys, ElementsAre("mean", "p99", "max"));
+  EXPECT_EQ(member(json, "size").number, 200);
+  EXPECT_GE(member(json, "silhouetteIou").number, 0.99);
+}
+
+TEST(Match, DepthScaleChangesTheSculptureNotTheImage) {
+  for (const char* k : {"0.3", "1.5"}) {
+    const Result result = run(std::string("match ") + sphereScene + " " + cube + " --json --depth-scale " + k);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_GE(member(parseJson(result.out, "out"), "silhouetteIou").number, 0.995) << k;
+  }
+}
+
+TEST(Render, EveryViewAtAnySize) {
+  const TemporaryFolder folder;
+  for (const char* view : {"reflection", "original", "difference"}) {
+    const Result result = run(std::string("render 1-plane --size 90x60 --samples 1 --view ") + view + " -o " +
+                           (folder / "p.png"));
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const Bitmap picture = loadPng(folder / "p.png");
+    EXPECT_EQ(picture.width, 90);
+    EXPECT_EQ(picture.height, 60);
+  }
+}
+
+TEST(Render, SameForEveryThreadCount) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run("render 2-cylinder --size 64x64 --threads 1 -o " + (folder / "1.png")).exitCode, 0);
+  ASSERT_EQ(run("render 2-cylinder --size 64x64 --threads 4 -o " + (folder / "4.png")).exitCode, 0);
+  EXPECT_EQ(readAll(folder / "1.png"), readAll(folder / "4.png"));
+}
+
+TEST(Check, NamesWhatIsFineAndWhatIsNot) {
+  const Result good = run("check 1-plane " + sphereScene + " " + cube);
+  EXPECT_EQ(good.exitCode, 0) << good.err;
+  EXPECT_THAT(good.out,
+              HasSubstr("1-plane: level \"The plane mirror\", plane mirror, 6146 of 6146 vertices mapped"));
+  EXPECT_THAT(good.out, HasSubstr("thesis scene, sphere mirror"));
+  EXPECT_THAT(good.out, HasSubstr("mesh, 8 vertices, 12 triangles, 2 x 2 x 2, closed"));
+  const Result bad = run("check " + cylinderScene + " nothing.obj 1-plane");
+  EXPECT_EQ(bad.exitCode, 1);
+  EXPECT_THAT(bad.err, HasSubstr("the eye is inside the cylinder"));
+  EXPECT_THAT(bad.err, HasSubstr("nothing.obj: cannot open: No such file or directory"));
+  EXPECT_THAT(bad.err, HasSubstr("2 of 3 files have faults"));
+  EXPECT_THAT(bad.out, HasSubstr("1-plane: level"));
+}
+
+TEST(Levels, ListsWhatIsInstalled) {
+  const Result list = run("levels");
+  EXPECT_EQ(list.exitCode, 0);
+  for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) EXPECT_THAT(list.out, HasSubstr(name));
+  const TemporaryFolder folder;
+  const Result table = run("levels --size 64 -o " + (folder / "out"));
+  EXPECT_EQ(table.exitCode, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("excellent"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/1-plane.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/3-sphere.obj"));
+}
+
+TEST(Quiet, KeepsErrorsAndResultsOnly) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run("deform 1-plane --quiet -o " + (folder / "s.obj")).err, "");
+  EXPECT_NE(run("deform nothing --quiet -o " + (folder / "t.obj")).err, "");
+}
+
+}  // namespace
+}  // namespace anamorph
