@@ -154,9 +154,7 @@ int halvingDepth(std::uint32_t count) {
 std::uint32_t Builder::halve(const Range& range) const {
   const Float4 extent = range.centroids.max - range.centroids.min;
   const int axis = extent[0] >= extent[1] && extent[0] >= extent[2] ? 0 : extent[1] >= extent[2] ? 1 : 2;
-  // Whole leaves on the left keep the depth at halvingDepth.
-  const std::uint32_t leaves = (range.count + bvhLeafSize - 1) / bvhLeafSize;
-  const std::uint32_t half = leaves / 2 * bvhLeafSize;
+  const std::uint32_t half = range.count / 2;
   BvhPrimitive* begin = primitives_ + range.first;
   std::nth_element(begin, begin + half, begin + range.count,
                    [axis](const BvhPrimitive& a, const BvhPrimitive& b) {

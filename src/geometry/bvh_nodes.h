@@ -15,8 +15,7 @@ namespace anamorph {
 /// A node of the binary tree, two RGBA texels large. Node 0 is the root; children come after their parent.
 struct alignas(16) BvhNode {
   float min[3] = {0, 0, 0};
-  std::uint32_t link =
-      0;  ///< the left child (the right one follows it), or the leaf's first place in `order`
+  std::uint32_t link = 0;  ///< left child (the right one follows it), or where in `order` a leaf begins
   float max[3] = {0, 0, 0};
   std::uint32_t count = 0;  ///< number of triangles in a leaf, 1 to 4; 0 for an inner node
 

@@ -1,5 +1,6 @@
-// The walk through the tree. bvh_traverse.cpp includes this once for every instruction set that it supports, with
-// ANAMORPH_TARGET (the attribute that chooses the set) and Lanes (eight floats) defined: a template cannot choose one.
+// The walk through the tree. bvh_traverse.cpp includes this once for every instruction set that it supports,
+// with ANAMORPH_TARGET (the attribute that chooses the set) and Lanes (eight floats) defined: a template cannot
+// choose between attributes.
 
 /// The walk ends at the first hit of all when `any` is set, else with the nearest one.
 template <bool any>
@@ -35,7 +36,7 @@ ANAMORPH_TARGET bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, doubl
         continue;
       }
     } else if (testBlock(bvh, bvh.blocks[current ^ BvhWideNode::leaf], r, ray, hit, tMin, tMax)) {
-      if (any) return true;
+      if constexpr (any) return true;
       found = true;
       farthest = static_cast<float>(tMax - r.shift);
       end = Lanes::splat(farthest);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/check.h"
 #include "base/parallel_for.h"
 
 namespace anamorph {
@@ -125,6 +126,7 @@ NormalGroups makeNormalGroups(const Mesh& mesh, double creaseDegrees) {
 
 std::vector<glm::vec3> computeNormals(const PointArray& points, const std::vector<Triangle>& triangles,
                                       const NormalGroups& groups, int threads) {
+  CHECK(triangles.size() == groups.corners.size());
   std::vector<Vector> sums(groups.count, Vector(0));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Vector area = areaVector(points, triangles[i]);

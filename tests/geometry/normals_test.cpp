@@ -102,8 +102,8 @@ TEST(Normals, FacesOfOppositeWindingShareNothing) {
 
 TEST(Normals, FacesWithoutAreaStandAloneAndPointUp) {
   Mesh mesh = makeHinge(0);
-  mesh.positions.push_back({0, 0.5, 0});
-  mesh.triangles.push_back({0, 6, 1});
+  mesh.positions.push_back({1, 0.5, 0});
+  mesh.triangles.push_back({5, 4, 6});
   mesh.triangles.push_back({3, 3, 3});
   mesh.positions = mapPoints(mesh.positions, [](const Point& p) { return Point(p.z, p.x, p.y); });
   for (const double crease : {30.0, 180.0}) {
