@@ -8,8 +8,10 @@ home="$(cd "$(dirname "$0")" && pwd)"
 if [ ! -f "$home/build/release/build.ninja" ]; then
   (cd "$home" && cmake --preset release -DANAMORPH_TESTS=OFF) >&2
 fi
-# Quiet when there is nothing to do, complete when something fails.
-cmake --build "$home/build/release" --target anamorph -- --quiet >&2
+if ! cmake --build "$home/build/release" --target anamorph -- -n | grep -q "no work to do"; then
+  echo "Building Anamorph; the first time this takes a few minutes." >&2
+  cmake --build "$home/build/release" --target anamorph >&2
+fi
 
 if [ $# -eq 0 ]; then
   cd "$home"

@@ -1,5 +1,7 @@
 // anamorph deform: the sculpture as a mesh file.
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -18,6 +20,10 @@ struct DeformOptions {
   int imageSize = 512;
   double millimetresPerUnit = 1;
 };
+
+double rounded(double seconds) {
+  return std::round(seconds * 1e6) / 1e6;
+}
 
 void deform(const DeformOptions& options, const CommonOptions& common) {
   if (!isMeshFile(options.output)) {
@@ -68,9 +74,9 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
                 .add("budgetHit", sculpture.budgetHit)
                 .add("bounds", JsonObject().add("min", scale * box.min).add("max", scale * box.max).value())
                 .add("seconds", JsonObject()
-                                    .add("load", input.loadSeconds)
-                                    .add("deform", writeStart - deformStart)
-                                    .add("write", end - writeStart)
+                                    .add("load", rounded(input.loadSeconds))
+                                    .add("deform", rounded(writeStart - deformStart))
+                                    .add("write", rounded(end - writeStart))
                                     .value())
                 .value());
 }

@@ -86,4 +86,10 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
   return input;
 }
 
+FinishedLevel finishInput(const Input& input, const CommonOptions& common, const Progress& progress) {
+  FinishedLevel finished = *finishLevel(input.level, input.original, common.threads, progress);
+  if (auto problem = findEmptiness(*finished.sculpture.sculpture)) throw Error(*problem, input.name);
+  return finished;
+}
+
 }  // namespace anamorph

@@ -8,6 +8,7 @@
 
 #include "cli/common_options.h"
 #include "level/level.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 
@@ -34,5 +35,8 @@ struct Input {
 /// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. Throws
 /// Error, also when no sculpture can be made of it, and UsageError when a scene comes without a MODEL.
 Input loadInput(const InputOptions& options, const CommonOptions& common);
+
+/// finishLevel, with an Error when nothing of the original comes into the sculpture.
+FinishedLevel finishInput(const Input& input, const CommonOptions& common, const Progress& progress = {});
 
 }  // namespace anamorph

@@ -9,7 +9,6 @@
 #include "cli/input.h"
 #include "cli/report.h"
 #include "level/level_library.h"
-#include "pipeline/picture.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -25,19 +24,15 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   InputOptions inputOptions;
   inputOptions.file = entry.path.string();
   const Input input = loadInput(inputOptions, common);
-  const auto finished = finishLevel(input.level, input.original, common.threads);
-  const Sculpture& sculpture = *finished->sculpture.sculpture;
-  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
-  const MatchReport report = computeMatch(makeMatchInput(input.level, finished->original, finished->sculpture,
-                                                         options.size, options.size),
-                                          common.threads)
-                                 .report;
+  const FinishedLevel finished = finishInput(input, common);
+  const Mesh& sculpture = finished.sculpture.sculpture->mesh;
+  const MatchReport report = matchLevel(finished, options.size, options.size, common.threads).report;
   const ImageRequest request = makeImageRequest(input.level, options.size, options.size, common.threads);
   const std::filesystem::path base = std::filesystem::path(options.folder) / entry.name;
-  savePng(base.string() + ".png", *makePicture(*finished, PictureKind::reflection, request));
-  saveMesh(base.string() + ".obj", sculpture.mesh);
+  savePng(base.string() + ".png", *makePicture(finished, PictureKind::reflection, request));
+  saveMesh(base.string() + ".obj", sculpture);
   fmt::print("{:<12} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
-             sculpture.mesh.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
+             sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
              report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));
   std::fflush(stdout);
 }

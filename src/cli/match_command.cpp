@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/report.h"
-#include "pipeline/picture.h"
 
 namespace anamorph {
 namespace {
@@ -35,17 +33,13 @@ void match(const MatchOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common);
   input.level.sculpture.imageSize = options.size;
   const ProgressBar bar(common, "matching");
-  const auto finished = finishLevel(input.level, input.original, common.threads, bar.progress());
-  const Sculpture& sculpture = *finished->sculpture.sculpture;
-  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
-  const MatchReport report = computeMatch(makeMatchInput(input.level, finished->original, finished->sculpture,
-                                                         options.size, options.size),
-                                          common.threads)
-                                 .report;
+  const FinishedLevel finished = finishInput(input, common, bar.progress());
+  const MatchReport report = matchLevel(finished, options.size, options.size, common.threads).report;
+  const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   if (common.json) {
-    printJson(matchJson(report, sculpture.originalStatus));
+    printJson(matchJson(report, counts));
   } else {
-    printReport(report, sculpture.originalStatus);
+    printReport(report, counts);
   }
 }
 

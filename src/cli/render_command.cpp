@@ -5,11 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/usage_error.h"
-#include "pipeline/picture.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -48,16 +46,14 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
   if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
   const ProgressBar bar(common, "rendering");
-  const auto finished = finishLevel(input.level, input.original, common.threads);
-  if (auto problem = findEmptiness(*finished->sculpture.sculpture)) throw Error(*problem, input.name);
+  const FinishedLevel finished = finishInput(input, common);
   const PictureKind kind = kinds.at(options.view);
   Match match;
   if (kind == PictureKind::difference) {
-    match = computeMatch(makeMatchInput(input.level, finished->original, finished->sculpture, width, height),
-                         common.threads);
+    match = matchLevel(finished, width, height, common.threads);
   }
   const auto image = makePicture(
-      *finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, bar.progress());
+      finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, bar.progress());
   savePng(options.output, *image);
   sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, width, height));
 }

@@ -53,6 +53,12 @@ std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<con
   return finished;
 }
 
+Match matchLevel(const FinishedLevel& finished, int width, int height, int threads,
+                 const Progress& progress) {
+  return computeMatch(makeMatchInput(finished.level, finished.original, finished.sculpture, width, height),
+                      threads, progress);
+}
+
 ImageRequest makeImageRequest(const Level& level, int width, int height, int threads) {
   ImageRequest request;
   request.width = width;

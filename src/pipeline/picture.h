@@ -27,6 +27,10 @@ struct FinishedLevel {
 std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
                                          int threads = 1, const Progress& progress = {});
 
+/// The match report of a finished level, for an image of this size.
+Match matchLevel(const FinishedLevel& finished, int width, int height, int threads = 1,
+                 const Progress& progress = {});
+
 /// The request the level asks for, at a size.
 ImageRequest makeImageRequest(const Level& level, int width, int height, int threads);
 

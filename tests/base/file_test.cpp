@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "base/error_text.h"
+#include "error_text.h"
 
 namespace anamorph {
 namespace {

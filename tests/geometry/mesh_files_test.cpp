@@ -7,14 +7,14 @@
 #include <fstream>
 
 #include "base/file.h"
-#include "geometry/error_text.h"
+#include "error_text.h"
+#include "geometry/awkward_mesh.h"
 #include "geometry/shapes.h"
 
 namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::errorText;
 using testing::makeRandomMesh;
 
 class MeshFiles : public ::testing::Test {
@@ -128,10 +128,10 @@ TEST_F(MeshFiles, MeshesWithoutTrianglesCanBeWrittenButNotRead) {
   points.triangles.clear();
   for (const char* name : {"p.obj", "p.ply"}) {
     saveMesh(path(name), points);
-    EXPECT_EQ(errorText([&] { loadMesh(path(name)); }),
+    EXPECT_EQ(errorOf([&] { loadMesh(path(name)); }),
               path(name) + ": expected at least one triangle, got none and 8 vertices");
   }
-  EXPECT_EQ(errorText([&] { saveMesh(path("p.stl"), points); }),
+  EXPECT_EQ(errorOf([&] { saveMesh(path("p.stl"), points); }),
             path("p.stl") + ": cannot write: STL needs at least one triangle");
   EXPECT_FALSE(fs::exists(path("p.stl")));
 }
@@ -140,10 +140,10 @@ TEST_F(MeshFiles, WhatCannotBeWrittenLeavesTheOldFileAlone) {
   Mesh large = makeBox({2, 2, 2}, 1);
   const std::string file = path("m.stl");
   writeFile(file, "old");
-  EXPECT_EQ(errorText([&] { saveMesh(file, large, {.scale = 1e39, .comment = ""}); }),
+  EXPECT_EQ(errorOf([&] { saveMesh(file, large, {.scale = 1e39, .comment = ""}); }),
             file + ": cannot write: STL has no coordinates as large as -1e+39");
   large.positions = mapPoints(large.positions, [](const Point& p) { return 1e308 * p; });
-  EXPECT_EQ(errorText([&] { saveMesh(file, large, {.scale = 10, .comment = ""}); }),
+  EXPECT_EQ(errorOf([&] { saveMesh(file, large, {.scale = 10, .comment = ""}); }),
             file + ": cannot write: a scale of 10 is too large");
   EXPECT_EQ(contents(file), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
@@ -152,7 +152,7 @@ TEST_F(MeshFiles, WhatCannotBeWrittenLeavesTheOldFileAlone) {
 TEST_F(MeshFiles, AFullDiskIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   fs::create_symlink("/dev/full", path("full.obj"));
-  EXPECT_EQ(errorText([&] {
+  EXPECT_EQ(errorOf([&] {
               saveMesh(path("full.obj"), makeBox({2, 2, 2}, 8));
             }),
             path("full.obj") + ": cannot write: No space left on device");
@@ -163,16 +163,16 @@ TEST_F(MeshFiles, UnknownEndingsListTheKnownOnes) {
     EXPECT_FALSE(isMeshFile(name));
     const std::string start = *name ? std::string(name) + ": " : "";
     const std::string message = start + "expected a file name that ends in .obj, .stl or .ply";
-    EXPECT_EQ(errorText([&] { loadMesh(name); }), message);
-    EXPECT_EQ(errorText([&] { saveMesh(name, makeBox({2, 2, 2}, 1)); }), message);
+    EXPECT_EQ(errorOf([&] { loadMesh(name); }), message);
+    EXPECT_EQ(errorOf([&] { saveMesh(name, makeBox({2, 2, 2}, 1)); }), message);
   }
 }
 
 TEST_F(MeshFiles, FilesThatCannotBeOpened) {
   fs::create_directory(path("folder.obj"));
-  EXPECT_EQ(errorText([&] { loadMesh(path("missing.obj")); }),
+  EXPECT_EQ(errorOf([&] { loadMesh(path("missing.obj")); }),
             path("missing.obj") + ": cannot open: No such file or directory");
-  EXPECT_EQ(errorText([&] { loadMesh(path("folder.obj")); }),
+  EXPECT_EQ(errorOf([&] { loadMesh(path("folder.obj")); }),
             path("folder.obj") + ": expected a file, got a folder");
 }
 
@@ -181,7 +181,7 @@ TEST_F(MeshFiles, FilesThatMayNotBeRead) {
   fs::permissions(path("secret.stl"), fs::perms::none);
   const uid_t self = ::geteuid(), nobody = 65534;
   if (self == 0 && ::seteuid(nobody) != 0) GTEST_SKIP() << "root may read everything here";
-  const std::string text = errorText([&] { loadMesh(path("secret.stl")); });
+  const std::string text = errorOf([&] { loadMesh(path("secret.stl")); });
   ASSERT_EQ(::seteuid(self), 0);
   EXPECT_EQ(text, path("secret.stl") + ": cannot open: Permission denied");
 }
@@ -189,23 +189,23 @@ TEST_F(MeshFiles, FilesThatMayNotBeRead) {
 TEST_F(MeshFiles, FilesWithNothingInThem) {
   for (const char* name : {"m.obj", "m.stl", "m.ply"}) {
     writeFile(path(name), "");
-    EXPECT_EQ(errorText([&] { loadMesh(path(name)); }), path(name) + ": expected a mesh, got an empty file");
+    EXPECT_EQ(errorOf([&] { loadMesh(path(name)); }), path(name) + ": expected a mesh, got an empty file");
   }
 }
 
 TEST_F(MeshFiles, FilesLargerThanTheLimitAreNotRead) {
   writeFile(path("large.obj"), std::string((1 << 20) + 1, '#'));
-  EXPECT_EQ(errorText([&] { loadMesh(path("large.obj"), {.maxBytes = 1 << 20}); }),
+  EXPECT_EQ(errorOf([&] { loadMesh(path("large.obj"), {.maxBytes = 1 << 20}); }),
             path("large.obj") + ": expected at most 1 MiB, got 2 MiB; --max-mesh-mb raises the limit");
 }
 
 TEST_F(MeshFiles, TextThatIsNoMesh) {
   const std::string page = "<!DOCTYPE html>\n<html><body>404 Not Found</body></html>\n";
-  EXPECT_EQ(errorText([&] { readMesh(page, "m.obj"); }),
+  EXPECT_EQ(errorOf([&] { readMesh(page, "m.obj"); }),
             "m.obj: expected at least one triangle, got none and 0 vertices");
-  EXPECT_EQ(errorText([&] { readMesh(page, "m.stl"); }),
+  EXPECT_EQ(errorOf([&] { readMesh(page, "m.stl"); }),
             "m.stl: expected an STL file of at least 84 bytes, got 56");
-  EXPECT_EQ(errorText([&] { readMesh(page, "m.ply"); }),
+  EXPECT_EQ(errorOf([&] { readMesh(page, "m.ply"); }),
             "m.ply: line 1: expected \"ply\", got \"<!DOCTYPE html>\"");
 }
 
@@ -216,7 +216,7 @@ TEST_F(MeshFiles, CutOffAnywhere) {
     saveMesh(path(name), cube);
     const std::string whole = contents(path(name));
     for (std::size_t size = 0; size < whole.size(); ++size) {
-      const std::string text = errorText([&] {
+      const std::string text = errorOf([&] {
         for (const Triangle& t : readMesh(whole.substr(0, size), name).triangles) {
           for (const std::uint32_t corner : t) ASSERT_LT(corner, 8u);
         }

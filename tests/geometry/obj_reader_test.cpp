@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/error_text.h"
+#include "error_text.h"
 #include "geometry/polygon.h"
 
 namespace anamorph {
 namespace {
 
-using testing::errorText;
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -121,22 +120,22 @@ TEST(ObjReader, BadLinesAreNamed) {
       {square + "f 1 2 /3", "line 5: expected vertex indices from 1 on, or negative ones, got 0"},
       {square + "f 1 2 -", "line 5: expected vertex indices from 1 on, or negative ones, got 0"},
       {square + "f 1/1/1/1 2 3", "line 5: expected vertex indices from 1 on, or negative ones, got 0"}};
-  for (const auto& [text, message] : cases) EXPECT_EQ(errorText([&] { read(text); }), "m.obj: " + message);
+  for (const auto& [text, message] : cases) EXPECT_EQ(errorOf([&] { read(text); }), "m.obj: " + message);
 }
 
 TEST(ObjReader, LimitsAreNamed) {
-  EXPECT_EQ(errorText([] { read(square, {.maxVertices = 3}); }),
+  EXPECT_EQ(errorOf([] { read(square, {.maxVertices = 3}); }),
             "m.obj: line 4: expected at most 3 vertices; --max-vertices raises the limit");
   std::string text = square;
   for (int i = 0; i < 9; ++i) text += "f 1 2 3\n";
-  EXPECT_EQ(errorText([&] { read(text, {.maxVertices = 4}); }),
+  EXPECT_EQ(errorOf([&] { read(text, {.maxVertices = 4}); }),
             "m.obj: line 13: expected at most 8 triangles; --max-vertices raises the limit");
 }
 
 TEST(ObjReader, MoreCornersThanAnyPolygonHas) {
   std::string face = "f";
   for (std::size_t i = 0; i <= maxPolygonCorners; ++i) face += " 1";
-  EXPECT_EQ(errorText([&] { read(square + face); }),
+  EXPECT_EQ(errorOf([&] { read(square + face); }),
             "m.obj: line 5: expected at most 10000 corners, got 10001");
 }
 

@@ -6,13 +6,12 @@
 #include <bit>
 #include <cmath>
 
-#include "geometry/error_text.h"
+#include "error_text.h"
 #include "geometry/little_endian_file.h"
 
 namespace anamorph {
 namespace {
 
-using testing::errorText;
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
   return readPly(bytes, "m.ply", limits);
@@ -103,7 +102,7 @@ TEST(PlyReader, BinaryOfBothByteOrdersWithMoreThanIsNeeded) {
 TEST(PlyReader, ABinaryFileCutOffAnywhereIsRefused) {
   const std::string whole = oddFile(false);
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_NE(errorText([&] { read(whole.substr(0, size)); }), "no error") << size;
+    EXPECT_NE(errorOf([&] { read(whole.substr(0, size)); }), "no error") << size;
   }
 }
 
@@ -162,7 +161,7 @@ TEST(PlyReader, BadHeadsAreNamedByLine) {
       {head("ascii", "element vertex 1\n" + xyz + "element face 1\nproperty int vertex_indices\n") +
            "1 2 3 4",
        "expected a property list vertex_indices of element face, got none"}};
-  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorText([&] { read(bytes); }), "m.ply: " + message);
+  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorOf([&] { read(bytes); }), "m.ply: " + message);
 }
 
 TEST(PlyReader, BadRowsAreNamed) {
@@ -180,7 +179,7 @@ TEST(PlyReader, BadRowsAreNamed) {
       {squareRows + "3 0 1.5 2", "face 0: expected vertex indices from 0 to 3, got 1.5"},
       {squareRows + "3 0 1", "face 0: expected a number, got the end of the file"}};
   for (const auto& [rows, message] : cases) {
-    EXPECT_EQ(errorText([&] { read(textFile(rows)); }), "m.ply: " + message);
+    EXPECT_EQ(errorOf([&] { read(textFile(rows)); }), "m.ply: " + message);
   }
 }
 
@@ -189,27 +188,27 @@ TEST(PlyReader, HugeNumbersOfRowsAreRefusedBeforeMemoryIsTaken) {
     return head(format, "element vertex " + vertices + "\n" + xyz + "element face " + count + "\n" + faces) +
            "1 2 3";
   };
-  EXPECT_EQ(errorText([&] { read(file("ascii", "4000000000", "1")); }),
+  EXPECT_EQ(errorOf([&] { read(file("ascii", "4000000000", "1")); }),
             "m.ply: expected at most 50000000 vertices, got 4000000000; --max-vertices raises the limit");
-  EXPECT_EQ(errorText([&] { read(file("ascii", "1", "4000000000")); }),
+  EXPECT_EQ(errorOf([&] { read(file("ascii", "1", "4000000000")); }),
             "m.ply: expected at most 100000000 faces, got 4000000000; --max-vertices raises the limit");
-  EXPECT_EQ(errorText([&] { read(file("ascii", "40000000", "1")); }),
+  EXPECT_EQ(errorOf([&] { read(file("ascii", "40000000", "1")); }),
             "m.ply: expected 40000000 rows of element \"vertex\", got the end of the file after at most 1");
-  EXPECT_EQ(errorText([&] { read(file("binary_big_endian", "40000000", "1")); }),
+  EXPECT_EQ(errorOf([&] { read(file("binary_big_endian", "40000000", "1")); }),
             "m.ply: expected 40000000 rows of element \"vertex\", got the end of the file after at most 0");
   const std::string other = "element other 4000000000\nproperty char a\n";
   EXPECT_EQ(
-      errorText([&] {
+      errorOf([&] {
         read(head("ascii", "element vertex 1\n" + xyz + "element face 0\n" + faces + other) + "1 2 3 4 5");
       }),
       "m.ply: expected 4000000000 rows of element \"other\", got the end of the file after at most 2");
 }
 
 TEST(PlyReader, LimitsAreNamed) {
-  EXPECT_EQ(errorText([] { read(textFile(squareRows + "3 0 1 2"), {.maxVertices = 3}); }),
+  EXPECT_EQ(errorOf([] { read(textFile(squareRows + "3 0 1 2"), {.maxVertices = 3}); }),
             "m.ply: expected at most 3 vertices, got 4; --max-vertices raises the limit");
   const std::string manyCorners = "10 0 1 2 3 0 1 2 3 0 1\n10 0 1 2 3 0 1 2 3 0 1\n";
-  EXPECT_EQ(errorText([&] { read(textFile(squareRows + manyCorners, 4, 2), {.maxVertices = 4}); }),
+  EXPECT_EQ(errorOf([&] { read(textFile(squareRows + manyCorners, 4, 2), {.maxVertices = 4}); }),
             "m.ply: face 1: expected at most 8 triangles; --max-vertices raises the limit");
 }
 

@@ -4,13 +4,12 @@
 
 #include <limits>
 
-#include "geometry/error_text.h"
+#include "error_text.h"
 #include "geometry/little_endian_file.h"
 
 namespace anamorph {
 namespace {
 
-using testing::errorText;
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
   return readStl(bytes, "m.stl", limits);
@@ -111,7 +110,7 @@ TEST(StlReader, BadTextIsNamedByLine) {
       {text + "rubbish", "line 17: expected \"solid\", got \"rubbish\""},
       {"solid\n", "line 2: expected \"facet\" or \"endsolid\", got the end of the file"},
       {text.substr(0, text.find("loop")), "line 3: expected \"loop\", got the end of the file"}};
-  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorText([&] { read(bytes); }), "m.stl: " + message);
+  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorOf([&] { read(bytes); }), "m.stl: " + message);
 }
 
 TEST(StlReader, BadBinaryIsNamedByTriangle) {
@@ -127,7 +126,7 @@ TEST(StlReader, BadBinaryIsNamedByTriangle) {
       {binary(2, twoTriangles, "solid").substr(0, 183), "expected 184 bytes for 2 triangles, got 183"},
       {binary(0, {}).substr(0, 83), "expected an STL file of at least 84 bytes, got 83"},
       {"hello", "expected an STL file of at least 84 bytes, got 5"}};
-  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorText([&] { read(bytes); }), "m.stl: " + message);
+  for (const auto& [bytes, message] : cases) EXPECT_EQ(errorOf([&] { read(bytes); }), "m.stl: " + message);
 }
 
 TEST(StlReader, LimitsAreNamed) {
@@ -138,9 +137,9 @@ TEST(StlReader, LimitsAreNamed) {
   }
   const MeshLimits two{.maxVertices = 2};
   const std::string message = "m.stl: expected at most 4 triangles; --max-vertices raises the limit";
-  EXPECT_EQ(errorText([&] { read(binary(5, five), two); }), message);
-  EXPECT_EQ(errorText([&] { read(fiveInText + "endsolid", two); }), message);
-  EXPECT_EQ(errorText([&] { read(binary(1, {twoTriangles[0]}), two); }),
+  EXPECT_EQ(errorOf([&] { read(binary(5, five), two); }), message);
+  EXPECT_EQ(errorOf([&] { read(fiveInText + "endsolid", two); }), message);
+  EXPECT_EQ(errorOf([&] { read(binary(1, {twoTriangles[0]}), two); }),
             "m.stl: expected at most 2 vertices, got 3; --max-vertices raises the limit");
 }
 

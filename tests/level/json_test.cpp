@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "base/error_text.h"
+#include "error_text.h"
 
 namespace anamorph {
 namespace {

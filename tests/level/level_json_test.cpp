@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/error_text.h"
+#include "error_text.h"
 #include "base/file.h"
 #include "level/level_fields.h"
 #include "level/random_level.h"

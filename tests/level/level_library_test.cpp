@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/error_text.h"
+#include "error_text.h"
 #include "base/file.h"
 #include "level/level_json.h"
 

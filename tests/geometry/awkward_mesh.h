@@ -1,24 +1,13 @@
-// What the mesh tests share: the text of an Error, and meshes to write and read.
+// Meshes to write and read in tests.
 #pragma once
 
+#include <cmath>
+#include <iterator>
 #include <random>
-#include <string>
 
-#include "base/error.h"
 #include "geometry/mesh.h"
 
 namespace anamorph::testing {
-
-/// What the Error says that `body` throws, or "no error".
-template <typename Body>
-std::string errorText(const Body& body) {
-  try {
-    body();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// Coordinates of all magnitudes that a file may hold, awkward ones among them, and arbitrary valid
 /// triangles.
