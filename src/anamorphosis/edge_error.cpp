@@ -12,10 +12,14 @@ constexpr double longEdgePixels = 32;  // beyond it an S-shaped error could hide
 constexpr double mixedEdgePixels = 1;  // the border of what the mirror shows is found to this
 constexpr double unknownError = 1e6;   // where the derivatives degenerate
 
-// 0 when an end is behind the camera: what is not in the image needs no refinement.
+// The length in the image. With one end behind the camera it has none: then the angle it takes up tells how
+// fine it is, so that the part before the camera is found. With both ends there nothing of it is seen: 0.
 double imageLength(const Projection& projection, const Point& a, const Point& b) {
   const auto p = projection.pixelOf(a), q = projection.pixelOf(b);
-  return p && q ? glm::length(*q - *p) : 0;
+  if (p && q) return glm::length(*q - *p);
+  if (!p && !q) return 0;
+  const double nearest = std::min(glm::length(a - projection.eye()), glm::length(b - projection.eye()));
+  return projection.pixelsPerTangent() * std::min(glm::length(b - a) / std::max(nearest, 1e-300), pi);
 }
 
 // The image error of `chord`, a point of the straight edge, that should be the image of `middle`.

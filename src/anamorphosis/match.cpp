@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
 #include "base/parallel_for.h"
 
@@ -31,9 +33,12 @@ std::vector<Triangle> weldedCorners(const Mesh& mesh) {
   return corners;
 }
 
+// The same triangle, or one that shares an edge with it.
 bool touch(const Triangle& a, const Triangle& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](std::uint32_t corner) { return std::find(b.begin(), b.end(), corner) != b.end(); });
+  const auto shared = std::count_if(a.begin(), a.end(), [&](std::uint32_t corner) {
+    return std::find(b.begin(), b.end(), corner) != b.end();
+  });
+  return shared >= 2;
 }
 
 class Matcher {
@@ -44,16 +49,14 @@ class Matcher {
         corners_(weldedCorners(*input.original)) {}
 
   PixelResult pixel(int x, int y) const {
-    const Pixel centre(x + 0.5, y + 0.5);
-    const Ray ray = projection_.rayThrough(centre);
+    const Pixel sample = matchSample(x, y);
+    const Ray ray = projection_.rayThrough(sample);
     BvhHit direct;
     const bool seesOriginal = input_.originalBvh->closestHit(ray, direct);
 
     const OpticPath path = followRay(input_.optic, ray);
     const bool meetsMirror = path.pointCount > 0;
-    BvhHit before;
-    const bool hidden =
-        input_.sculptureBvh->closestHit(ray, before, 0, meetsMirror ? path.travelled : infinity);
+    const bool hidden = meetsMirror && sculptureStandsInTheWay(path);
     std::optional<ReflectedHit> reflected;
     if (meetsMirror && !hidden) reflected = followExit(path);
 
@@ -61,7 +64,7 @@ class Matcher {
     if (seesOriginal && reflected) {
       result.kind = PixelClass::both;
       const auto seenAt = projection_.pixelOf(reflected->original);
-      const double error = seenAt ? glm::length(*seenAt - centre) : worstError();
+      const double error = seenAt ? glm::length(*seenAt - sample) : worstError();
       result.errorPx = static_cast<float>(std::min(error, worstError()));
       result.sameTriangle = touch(corners_[direct.triangle], corners_[reflected->sourceTriangle]);
     } else if (seesOriginal) {
@@ -77,12 +80,20 @@ class Matcher {
  private:
   double worstError() const { return std::max(projection_.width(), projection_.height()); }
 
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  // Between the eye and the last point on the optic.
+  bool sculptureStandsInTheWay(const OpticPath& path) const {
+    Point from = projection_.eye();
+    for (int i = 0; i < path.pointCount; ++i) {
+      if (input_.sculptureBvh->anyHit({from, path.points[i] - from}, 0, 1)) return true;
+      from = path.points[i];
+    }
+    return false;
+  }
 
   std::optional<ReflectedHit> followExit(const OpticPath& path) const {
-    const auto again = intersect(input_.optic.shape, path.exit, 1e-9 * path.travelled);
     BvhHit hit;
-    if (!input_.sculptureBvh->closestHit(path.exit, hit, 0, again ? again->t : infinity)) return std::nullopt;
+    if (!input_.sculptureBvh->closestHit(path.exit, hit, 0, freeLength(input_.optic, path)))
+      return std::nullopt;
     const Sculpture& s = *input_.sculpture;
     const Triangle& t = s.mesh.triangles[hit.triangle];
     const Point original =
@@ -132,10 +143,23 @@ MatchReport summarize(const std::vector<PixelResult>& pixels, const MatchInput& 
 
 }  // namespace
 
+Pixel matchSample(int x, int y) {
+  // The finalizer of MurmurHash3 mixes all bits of both coordinates.
+  std::uint64_t hash = std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
+  hash = (hash ^ hash >> 33) * 0xFF51AFD7ED558CCDu;
+  hash = (hash ^ hash >> 33) * 0xC4CEB9FE1A85EC53u;
+  hash ^= hash >> 33;
+  constexpr double unit = 1.0 / 4294967296;
+  return {x + (static_cast<double>(hash >> 32) + 0.5) * unit,
+          y + (static_cast<double>(hash & 0xFFFFFFFF) + 0.5) * unit};
+}
+
 Match computeMatch(const MatchInput& input, int threads, const Progress& progress) {
   const auto width = static_cast<std::size_t>(input.width), height = static_cast<std::size_t>(input.height);
   const Matcher matcher(input);
   std::vector<PixelResult> pixels(width * height);
+  std::mutex reporting;
+  std::size_t rowsDone = 0;
   parallelFor(height, 8, threads, [&](std::size_t firstRow, std::size_t lastRow) {
     if (progress.cancelled()) return;
     for (std::size_t y = firstRow; y < lastRow; ++y) {
@@ -143,6 +167,9 @@ Match computeMatch(const MatchInput& input, int threads, const Progress& progres
         pixels[y * width + x] = matcher.pixel(static_cast<int>(x), static_cast<int>(y));
       }
     }
+    const std::lock_guard<std::mutex> lock(reporting);
+    rowsDone += lastRow - firstRow;
+    progress.update(static_cast<double>(rowsDone) / static_cast<double>(height));
   });
   if (progress.cancelled()) return {};
   Match match;

@@ -49,11 +49,14 @@ struct MatchReport {
   double silhouetteIou = 0;                 ///< pixels in both / in either; 0 when neither shows anything
   std::size_t comparedPixels = 0;           ///< where both show something; the correspondence is over these
   double meanPx = 0, p99Px = 0, maxPx = 0;  ///< correspondence error; 0 when nothing could be compared
-  double triangleAgreement =
-      0;                   ///< share of compared pixels on the same original triangle, or one that touches it
-  double hiddenShare = 0;  ///< of the original's pixels
-  double missedShare = 0;  ///< of the original's pixels
+  double triangleAgreement = 0;  ///< share of compared pixels on the same original triangle, or one beside it
+  double hiddenShare = 0;        ///< of the original's pixels
+  double missedShare = 0;        ///< of the original's pixels
 };
+
+/// Where in the image pixel (x, y) is asked: at a place of its own within it, hashed from its coordinates, so
+/// that an edge along a row of pixels does not decide over the whole row at once.
+Pixel matchSample(int x, int y);
 
 struct Match {
   MatchReport report;
@@ -62,8 +65,8 @@ struct Match {
 
 enum class MatchGrade { excellent, match, partial, none };
 
-/// In words: excellent and match as in method section 6 (all figures together), partial when the silhouettes
-/// overlap by half, else none.
+/// In words. Excellent: every figure is good as in method section 6, nothing hidden, nothing missed. Match:
+/// IoU >= 0.99, p99 <= 1 px, agreement >= 0.99. Partial: the silhouettes overlap by half. Else none.
 MatchGrade gradeOf(const MatchReport& report);
 const char* matchGradeName(MatchGrade grade);
 

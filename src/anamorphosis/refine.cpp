@@ -57,6 +57,7 @@ class Refiner {
       wakeBlindTriangles(edges, errors);
       splitTriangles(edges, addMidpoints(edges, chooseSplits(errors)));
     }
+    if (state_.budgetHit) state_.remainingErrorPixels = largestError();
     return std::move(state_);
   }
 
@@ -67,6 +68,19 @@ class Refiner {
   bool mapped(std::uint32_t vertex) const { return state_.mapped.status[vertex] == PathStatus::mapped; }
   MappedPoint map(const Point& p) const {
     return mapPoint(input_.optic, projection_.eye(), p, input_.depthScale);
+  }
+
+  // Of the edges that come into the sculpture.
+  double largestError() const {
+    std::vector<std::uint32_t> all(state_.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const EdgeTable edges = makeEdgeTable(state_.triangles, all);
+    const std::vector<double> errors = judge(edges);
+    double largest = 0;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      if (mapped(edges.ends[i][0]) && mapped(edges.ends[i][1])) largest = std::max(largest, errors[i]);
+    }
+    return largest;
   }
 
   std::vector<double> judge(const EdgeTable& edges) const {
@@ -131,7 +145,6 @@ class Refiner {
       std::stable_sort(wanted.begin(), wanted.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return errors[a] > errors[b]; });
       state_.budgetHit = true;
-      state_.remainingErrorPixels = errors[wanted[room]];
       wanted.resize(room);
     }
     std::vector<char> split(errors.size(), 0);

@@ -1,6 +1,6 @@
 // Faults of users and data. An Error says what happened, in which file and where in it, and reads
 // `file: where: expected, got`, for example `levels/3.json: /mirror/radius: expected a number > 0, got -4`.
-// It is caught in four places only: main, opening and saving, a worker's job, reloading a shader.
+// It is caught only where somebody is told: in main, where one of many files is looked at, in a worker's job.
 // A miss or a cancel is no fault: those are values.
 #pragma once
 

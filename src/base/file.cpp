@@ -93,8 +93,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   }
   if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(systemReason());
 
-  std::string name = target_.parent_path() / ".";
-  name += target_.filename().string() + ".XXXXXX";
+  std::string name = target_.parent_path() / ".anamorph-XXXXXX";
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) fail(systemReason());
   temporary_ = name;

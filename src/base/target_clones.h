@@ -1,6 +1,6 @@
-// One source, two machine codes: a function marked ANAMORPH_TARGET_CLONES is compiled for plain x86-64 and for
-// x86-64-v3 (AVX2), and the loader picks what the processor has. Elsewhere (other processors and compilers,
-// sanitizers, which do not survive the loader's early call) the mark means nothing.
+// One source, several machine codes: a function marked ANAMORPH_TARGET_CLONES is compiled for plain x86-64, for
+// x86-64-v3 (AVX2) and for x86-64-v4 (AVX-512), and the loader picks what the processor has. Elsewhere (other
+// processors and compilers, sanitizers, which do not survive the loader's early call) the mark means nothing.
 #pragma once
 
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \

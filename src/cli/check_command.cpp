@@ -1,5 +1,7 @@
 // anamorph check: what is wrong with a level, a scene or a mesh, and where.
 
+#include <cstdio>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -7,7 +9,7 @@
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/original.h"
-#include "pipeline/stages.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 namespace {
@@ -16,6 +18,7 @@ std::string checkMesh(const std::string& file, const CommonOptions& common) {
   const Mesh mesh = loadMesh(file, common.meshLimits());
   const Vector size = boundingBox(mesh.positions).size();
   const WeldedMesh welded = weldPositions(mesh);
+  if (welded.mesh.triangles.empty()) throw Error("expected triangles with an area, got none", file);
   return fmt::format("mesh, {} vertices, {} triangles, {:.4g} x {:.4g} x {:.4g}, {}", mesh.positions.size(),
                      mesh.triangles.size(), size.x, size.y, size.z,
                      isClosed(welded.mesh) ? "closed" : "not closed");
@@ -30,15 +33,19 @@ std::string checkScene(const Level& level) {
 }
 
 std::string checkLevel(const std::string& path, const Level& level, const CommonOptions& common) {
+  constexpr int matchSize = 256;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
   if (auto problem = findProblem(level, *original)) throw Error(*problem);
-  DeformInput input = makeDeformInput(level, original);
-  input.tolerancePixels = 0;
-  const Sculpture sculpture = makeSculpture(input, common.threads);
+  const FinishedLevel finished = *finishLevel(level, original, common.threads);
+  const Sculpture& sculpture = *finished.sculpture.sculpture;
   if (auto problem = findEmptiness(sculpture)) throw Error(*problem);
-  return fmt::format("level \"{}\", {} mirror, {} of {} vertices mapped", level.title,
-                     shapeName(level.optic.shape), sculpture.originalStatus[0], original->positions.size());
+  for (const std::string& warning : findWarnings(level, sculpture))
+    sayMessage(common, "warning: " + path + ": " + warning);
+  const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
+  return fmt::format("level \"{}\", {} mirror, {} of {} vertices mapped, match {}", level.title,
+                     shapeName(level.optic.shape), sculpture.originalStatus[0], original->positions.size(),
+                     matchGradeName(gradeOf(report)));
 }
 
 std::string checkFile(const std::string& file, const CommonOptions& common) {
@@ -59,6 +66,7 @@ void check(const std::vector<std::string>& files, const CommonOptions& common) {
   for (const std::string& file : files) {
     try {
       fmt::print("{}: {}\n", file, checkFile(file, common));
+      std::fflush(stdout);  // in order with what goes to stderr
     } catch (const Error& error) {
       fmt::print(stderr, "{}\n", error.what());
       ++bad;

@@ -19,14 +19,25 @@ MeshLimits CommonOptions::meshLimits() const {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use (default: all)")
-      ->check(CLI::Range(1, 1024));
+      ->check(numberFrom(1, 1024));
   command.add_flag("--quiet", options.quiet, "No messages and no progress bar, only results and errors");
   command
       .add_option("--max-mesh-mb", options.maxMeshMebibytes,
                   "Largest mesh file to read, in MiB (default 2048)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20));
+      ->check(numberFrom(1, 1 << 20));
   command.add_option("--max-vertices", options.maxVertices, "Most vertices to read (default 50000000)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
+      ->check(numberFrom(1, 4e9));
+}
+
+CLI::Validator numberFrom(double low, double high) {
+  const std::string range = fmt::format("{:.10g} to {:.10g}", low, high);
+  return CLI::Validator(
+      [=](std::string& text) {
+        double number = 0;
+        const bool inRange = CLI::detail::lexical_cast(text, number) && number >= low && number <= high;
+        return inRange ? std::string() : "expected a number from " + range + ", got " + text;
+      },
+      range);
 }
 
 void sayMessage(const CommonOptions& options, const std::string& text) {

@@ -24,6 +24,9 @@ struct CommonOptions {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
+/// Accepts finite numbers from low to high and says so otherwise. (CLI11's own Range lets nan pass.)
+CLI::Validator numberFrom(double low, double high);
+
 /// One line on stderr, unless --quiet.
 void sayMessage(const CommonOptions& options, const std::string& text);
 void sayWarnings(const CommonOptions& options, const std::vector<std::string>& warnings);

@@ -1,6 +1,7 @@
 // anamorph deform: the sculpture as a mesh file.
 
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,9 +18,18 @@ namespace {
 struct DeformOptions {
   InputOptions input;
   std::string output;
-  int imageSize = 512;
+  std::optional<int> imageSize;  // as in the level
   double millimetresPerUnit = 1;
 };
+
+// Vertices that are not mapped keep the original's place, which says nothing about the sculpture.
+Box mappedBox(const Sculpture& sculpture) {
+  Box box;
+  for (std::size_t i = 0; i < sculpture.status.size(); ++i) {
+    if (sculpture.status[i] == PathStatus::mapped) box.extend(sculpture.mesh.positions[i]);
+  }
+  return box;
+}
 
 double rounded(double seconds) {
   return std::round(seconds * 1e6) / 1e6;
@@ -29,8 +39,9 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
   if (!isMeshFile(options.output)) {
     throw UsageError(options.output + ": expected an output file that ends in .obj, .stl or .ply");
   }
+  checkOutput(options.output);
   Input input = loadInput(options.input, common);
-  input.level.sculpture.imageSize = options.imageSize;
+  if (options.imageSize) input.level.sculpture.imageSize = *options.imageSize;
   const double deformStart = secondsNow();
   Sculpture sculpture;
   {
@@ -46,29 +57,19 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
   saveMesh(options.output, sculpture.mesh, file);
   const double end = secondsNow();
 
-  if (sculpture.budgetHit) {
-    sayMessage(common,
-               fmt::format("warning: refinement stopped at the budget of {} triangles with {:.2f} px left; "
-                           "raise maxTriangles in the level or the tolerance",
-                           input.level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
-  }
-  const StatusCounts& counts = sculpture.originalStatus;
+  sayWarnings(common, findWarnings(input.level, sculpture));
   const bool ownVertices = input.level.sculpture.tolerancePixels == 0;
-  if (counts[0] != input.original->positions.size()) {
-    sayMessage(common, "warning: " + statusSentence(counts) + "; faces with an unmapped corner are left out" +
-                           (ownVertices ? ", their vertex lines keep the original's position" : ""));
-  }
   if (!common.json) {
     sayMessage(common, fmt::format("{}: {} vertices, {} triangles", options.output,
                                    sculpture.mesh.positions.size(), sculpture.mesh.triangles.size()));
     return;
   }
-  const Box box = boundingBox(sculpture.mesh.positions);
+  const Box box = mappedBox(sculpture);
   const double scale = options.millimetresPerUnit;
   printJson(JsonObject()
                 .add("vertices", sculpture.mesh.positions.size())
                 .add("triangles", sculpture.mesh.triangles.size())
-                .add("status", statusJson(counts))
+                .add("status", statusJson(sculpture.originalStatus))
                 .add("unmappedVertices",
                      std::string(ownVertices ? "original position kept, faces dropped" : "dropped"))
                 .add("budgetHit", sculpture.budgetHit)
@@ -89,10 +90,11 @@ void addDeformCommand(CLI::App& app, CommonOptions& common) {
   addInputOptions(*command, options->input);
   command->add_option("-o,--output", options->output, "The file to write: .obj, .stl or .ply")->required();
   command
-      ->add_option("--image-size", options->imageSize, "Height of the image that the tolerance is meant for")
-      ->check(CLI::Range(16, 16384));
+      ->add_option("--image-size", options->imageSize,
+                   "Height of the image that the tolerance is meant for (default: the level's)")
+      ->check(numberFrom(16, 16384));
   command->add_option("--mm-per-unit", options->millimetresPerUnit, "Millimetres per scene unit in the file")
-      ->check(CLI::Range(1e-6, 1e6));
+      ->check(numberFrom(1e-6, 1e6));
   command->add_flag("--json", common.json, "Print one JSON object on stdout");
   addCommonOptions(*command, common);
   command->callback([options, &common] { deform(*options, common); });

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/usage_error.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
@@ -12,14 +13,16 @@
 namespace anamorph {
 namespace {
 
+constexpr double minTolerance = 0.001, maxTolerance = 1000;  // pixels, as in a level
+
 // "off" or a number of pixels.
 std::string checkTolerance(std::string& text) {
   if (text == "off") {
     text = "0";
     return {};
   }
-  return CLI::Range(0.0, 100.0)(text).empty() ? std::string()
-                                              : "expected off or a number of pixels from 0 to 100";
+  const std::string problem = numberFrom(minTolerance, maxTolerance)(text);
+  return problem.empty() ? problem : "expected off or " + problem.substr(std::string("expected ").size());
 }
 
 std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const CommonOptions& common,
@@ -47,13 +50,13 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
       ->required();
   command.add_option("MODEL", options.model, "An OBJ, STL or PLY mesh that takes the place of the original");
   command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
-      ->check(CLI::Range(0.01, 100.0));
+      ->check(numberFrom(0.01, 100.0));
   command
       .add_option("--tolerance", options.tolerancePixels,
                   "Refine until edges are this straight, in pixels; off: the original's own vertices")
       ->transform(CLI::Validator(checkTolerance, "PX|off"));
   command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees (thesis scenes: 40)")
-      ->check(CLI::Range(1.0, 170.0));
+      ->check(numberFrom(1.0, 170.0));
   command.add_option("--up", options.up, "The camera's up (thesis scenes: z)")
       ->check(CLI::IsMember({"z", "y"}));
   command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");
@@ -61,6 +64,12 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
 
 Input loadInput(const InputOptions& options, const CommonOptions& common) {
   const double start = secondsNow();
+  if (isMeshFile(options.file)) {
+    throw UsageError(options.file +
+                     " is a mesh: name a level or a scene first, then the mesh, for example: "
+                     "anamorph match 2-cylinder " +
+                     options.file);
+  }
   const std::string path = findLevel(options.file).string();
   LoadedLevel loaded = loadLevel(path);
   sayWarnings(common, loaded.warnings);
@@ -86,10 +95,30 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
   return input;
 }
 
-FinishedLevel finishInput(const Input& input, const CommonOptions& common, const Progress& progress) {
-  FinishedLevel finished = *finishLevel(input.level, input.original, common.threads, progress);
-  if (auto problem = findEmptiness(*finished.sculpture.sculpture)) throw Error(*problem, input.name);
+FinishedLevel finishInput(const Input& input, const CommonOptions& common) {
+  const FinishedLevel finished = [&] {
+    const ProgressBar bar(common, "deforming");
+    return *finishLevel(input.level, input.original, common.threads, bar.progress());
+  }();
+  const Sculpture& sculpture = *finished.sculpture.sculpture;
+  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
+  sayWarnings(common, findWarnings(input.level, sculpture));
   return finished;
+}
+
+Match matchInput(const FinishedLevel& finished, int width, int height, const CommonOptions& common) {
+  const ProgressBar bar(common, "matching");
+  return matchLevel(finished, width, height, common.threads, bar.progress());
+}
+
+Image drawInput(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+                const Match* match, const CommonOptions& common) {
+  const ProgressBar bar(common, "rendering");
+  return *makePicture(finished, kind, request, match, bar.progress());
+}
+
+void checkOutput(const std::string& path) {
+  AtomicFile(std::filesystem::path(path));
 }
 
 }  // namespace anamorph

@@ -36,7 +36,16 @@ struct Input {
 /// Error, also when no sculpture can be made of it, and UsageError when a scene comes without a MODEL.
 Input loadInput(const InputOptions& options, const CommonOptions& common);
 
-/// finishLevel, with an Error when nothing of the original comes into the sculpture.
-FinishedLevel finishInput(const Input& input, const CommonOptions& common, const Progress& progress = {});
+/// finishLevel, with an Error when nothing of the original comes into the sculpture, and with what is worth a
+/// warning.
+FinishedLevel finishInput(const Input& input, const CommonOptions& common);
+
+/// matchLevel and makePicture, with progress bars.
+Match matchInput(const FinishedLevel& finished, int width, int height, const CommonOptions& common);
+Image drawInput(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+                const Match* match, const CommonOptions& common);
+
+/// Throws Error when this file could not be written, before hours are spent on what is to be in it.
+void checkOutput(const std::string& path);
 
 }  // namespace anamorph

@@ -26,10 +26,10 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   const Input input = loadInput(inputOptions, common);
   const FinishedLevel finished = finishInput(input, common);
   const Mesh& sculpture = finished.sculpture.sculpture->mesh;
-  const MatchReport report = matchLevel(finished, options.size, options.size, common.threads).report;
+  const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const ImageRequest request = makeImageRequest(input.level, options.size, options.size, common.threads);
   const std::filesystem::path base = std::filesystem::path(options.folder) / entry.name;
-  savePng(base.string() + ".png", *makePicture(finished, PictureKind::reflection, request));
+  savePng(base.string() + ".png", drawInput(finished, PictureKind::reflection, request, nullptr, common));
   saveMesh(base.string() + ".obj", sculpture);
   fmt::print("{:<12} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
              sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
@@ -50,8 +50,17 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
   if (failure) throw Error("cannot make the folder: " + failure.message(), options.folder);
   fmt::print("{:<12} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
              "agreement", "hidden", "missed", "match");
-  for (const LevelEntry& entry : entries) showLevel(entry, options, common);
+  std::size_t bad = 0;
+  for (const LevelEntry& entry : entries) {
+    try {
+      showLevel(entry, options, common);
+    } catch (const Error& error) {  // the others are shown all the same
+      fmt::print(stderr, "{}\n", error.what());
+      ++bad;
+    }
+  }
   sayMessage(common, "pictures and sculptures are in " + options.folder);
+  if (bad > 0) throw Error(fmt::format("{} of {} levels have faults", bad, entries.size()));
 }
 
 }  // namespace
@@ -60,9 +69,11 @@ void addLevelsCommand(CLI::App& app, CommonOptions& common) {
   CLI::App* command =
       app.add_subcommand("levels", "List the installed levels; with -o, render and score them all");
   const auto options = std::make_shared<LevelsOptions>();
-  command->add_option("-o,--output", options->folder, "Folder for a picture and a sculpture of every level");
+  CLI::Option* folder = command->add_option("-o,--output", options->folder,
+                                            "Folder for a picture and a sculpture of every level");
   command->add_option("--size", options->size, "Width and height of the pictures (default 512)")
-      ->check(CLI::Range(1, 8192));
+      ->needs(folder)
+      ->check(numberFrom(1, 8192));
   addCommonOptions(*command, common);
   command->callback([options, &common] { levels(*options, common); });
 }

@@ -32,9 +32,8 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
 void match(const MatchOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common);
   input.level.sculpture.imageSize = options.size;
-  const ProgressBar bar(common, "matching");
-  const FinishedLevel finished = finishInput(input, common, bar.progress());
-  const MatchReport report = matchLevel(finished, options.size, options.size, common.threads).report;
+  const FinishedLevel finished = finishInput(input, common);
+  const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   if (common.json) {
     printJson(matchJson(report, counts));
@@ -52,7 +51,7 @@ void addMatchCommand(CLI::App& app, CommonOptions& common) {
   addInputOptions(*command, options->input);
   command
       ->add_option("--size", options->size, "Width and height of the compared image in pixels (default 512)")
-      ->check(CLI::Range(1, 8192));
+      ->check(numberFrom(1, 8192));
   command->add_flag("--json", common.json, "Print one JSON object on stdout");
   addCommonOptions(*command, common);
   command->callback([options, &common] { match(*options, common); });

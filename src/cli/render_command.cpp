@@ -1,5 +1,7 @@
 // anamorph render: a ray-traced picture from the RT camera.
 
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <utility>
 
@@ -21,14 +23,18 @@ struct RenderOptions {
   std::pair<int, int> size{512, 512};
   std::string view = "reflection";
   int samples = 0;  // 0: as in the level
+  double maxMegapixels = 64;
 };
 
 // "WxH" to two numbers.
 std::pair<int, int> parseSize(const std::string& text) {
+  const char* end = text.data() + text.size();
   int width = 0, height = 0;
-  char more = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &more) != 2 || width < 1 || height < 1 ||
-      width > maxSide || height > maxSide) {
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
+  if (!cross || second.ec != std::errc() || second.ptr != end || width < 1 || height < 1 || width > maxSide ||
+      height > maxSide) {
     throw CLI::ValidationError(
         "--size", fmt::format("expected WIDTHxHEIGHT with sides from 1 to {}, got {}", maxSide, text));
   }
@@ -41,20 +47,29 @@ void render(const RenderOptions& options, const CommonOptions& common) {
                                                         {"difference", PictureKind::difference}};
   if (!options.output.ends_with(".png"))
     throw UsageError(options.output + ": expected an output file that ends in .png");
+  checkOutput(options.output);
   const auto [width, height] = options.size;
+  const double megapixels = 1e-6 * width * height;
+  if (megapixels > options.maxMegapixels) {
+    throw UsageError(
+        fmt::format("--size: expected at most {:g} megapixels, got {:.1f}; --max-megapixels raises the limit",
+                    options.maxMegapixels, megapixels));
+  }
   Input input = loadInput(options.input, common);
   input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
   if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
-  const ProgressBar bar(common, "rendering");
-  const FinishedLevel finished = finishInput(input, common);
   const PictureKind kind = kinds.at(options.view);
+  FinishedLevel finished{input.level, {}, {}};
   Match match;
-  if (kind == PictureKind::difference) {
-    match = matchLevel(finished, width, height, common.threads);
+  if (kind == PictureKind::original) {
+    finished.original = prepareMesh(input.original, common.threads);  // no sculpture is needed for it
+  } else {
+    finished = finishInput(input, common);
   }
-  const auto image = makePicture(
-      finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, bar.progress());
-  savePng(options.output, *image);
+  if (kind == PictureKind::difference) match = matchInput(finished, width, height, common);
+  const Image image =
+      drawInput(finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, common);
+  savePng(options.output, image);
   sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, width, height));
 }
 
@@ -73,7 +88,11 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
   command
       ->add_option("--samples", options->samples,
                    "Samples along each side of a pixel, 1 to 4 (default: the level's)")
-      ->check(CLI::Range(1, 4));
+      ->check(numberFrom(1, 4));
+  command
+      ->add_option("--max-megapixels", options->maxMegapixels,
+                   "Largest picture to make, in 10^6 pixels (default 64)")
+      ->check(numberFrom(1e-6, 300));
   addCommonOptions(*command, common);
   command->callback([options, &common] { render(*options, common); });
 }

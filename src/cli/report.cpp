@@ -83,7 +83,7 @@ std::string statusSentence(const StatusCounts& counts) {
 }
 
 void printJson(const JsonValue& value) {
-  fmt::print("{}\n", formatJson(value));
+  fmt::print("{}", formatJson(value));
 }
 
 }  // namespace anamorph

@@ -1,6 +1,12 @@
 #include "cli/run_command.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <new>
+#include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -14,14 +20,29 @@ namespace {
 
 enum ExitCode { ok = 0, dataFault = 1, wrongUsage = 2, programFault = 3 };
 
+// CLI11 only says that a command is missing; a mistyped one is named here.
+void checkCommandName(const CLI::App& app, int argc, char** argv) {
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (argc > 1 && command->get_name() == argv[1]) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  if (argc > 1 && argv[1][0] == '-') return;
+  const std::string got = argc > 1 ? ", got " + std::string(argv[1]) : "";
+  throw UsageError("expected a command (" + known + ")" + got + "; anamorph -h explains them");
+}
+
 int parseAndRun(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
-    return ok;
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);  // prints the help, the version, or what is wrong
-    return code == 0 ? ok : wrongUsage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // the help or the version was asked for
+    fmt::print(stderr, "{} (the option -h explains)\n", error.what());
+    return wrongUsage;
   }
+  // What is printed waits in a buffer: a full disk shows only now.
+  if (std::fflush(stdout) != 0) throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
+  return ok;
 }
 
 }  // namespace
@@ -38,11 +59,15 @@ int runCommand(int argc, char** argv) {
   addCheckCommand(app, common);
   addLevelsCommand(app, common);
   try {
+    checkCommandName(app, argc, argv);
     return parseAndRun(app, argc, argv);
   } catch (const UsageError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return wrongUsage;
   } catch (const Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return dataFault;
+  } catch (const std::system_error& error) {
     fmt::print(stderr, "{}\n", error.what());
     return dataFault;
   } catch (const std::bad_alloc&) {

@@ -38,8 +38,8 @@ ANAMORPH_ALWAYS_INLINE FloatRay makeFloatRay(const Ray& ray, const Point& centre
   for (int axis = 0; axis < 3; ++axis) {
     r.origin[axis] = static_cast<float>(origin[axis]);
     direction[axis] = static_cast<float>(ray.direction[axis]);
-    // Infinite for 0. The slab test then misses a box only where 0 * infinity is no number: when the origin
-    // lies exactly on the plane of a side, and there, on the rim of the padding, is nothing to meet.
+    // Infinite for 0. Where the origin lies exactly on the plane of a side, 0 * infinity is no number and the slab
+    // test lets the box pass: a box too many is looked at, none too few.
     r.inverse[axis] = 1 / direction[axis];
     r.nearSide[axis] = r.inverse[axis] < 0;
   }

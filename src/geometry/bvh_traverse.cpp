@@ -121,15 +121,20 @@ bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, double tMin, double t
 using everywhere::walk;
 #endif
 
+// Not a number passes every test of the walk, and what passes everything never ends.
+bool canMeetAnything(const Ray& ray) {
+  return isFinite(ray.origin) && isFinite(ray.direction) && lengthSquared(ray.direction) > 0;
+}
+
 }  // namespace
 
 bool Bvh::closestHit(const Ray& ray, BvhHit& hit, double tMin, double tMax) const {
-  return !empty() && walk<false>(data_, ray, hit, tMin, tMax);
+  return !empty() && canMeetAnything(ray) && walk<false>(data_, ray, hit, tMin, tMax);
 }
 
 bool Bvh::anyHit(const Ray& ray, double tMin, double tMax) const {
   BvhHit hit;
-  return !empty() && walk<true>(data_, ray, hit, tMin, tMax);
+  return !empty() && canMeetAnything(ray) && walk<true>(data_, ray, hit, tMin, tMax);
 }
 
 }  // namespace anamorph

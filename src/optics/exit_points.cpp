@@ -1,5 +1,7 @@
 #include "optics/exit_points.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/target_clones.h"
 #include "optics/plane_mirror.h"
@@ -99,9 +101,14 @@ std::size_t exitPoints(const Optic& optic, const Point& eye, double depthScale,
                        std::int64_t* plain) {
   CHECK(count <= exitBlockSize);
   return std::visit(
-      [&](const auto& surface) {
-        return follow(bounceOf(surface, eye), eye, depthScale, targets.x, targets.y, targets.z, count,
-                      points.x, points.y, points.z, plain);
+      [&](const auto& surface) -> std::size_t {
+        if constexpr (requires { bounceOf(surface, eye); }) {
+          return follow(bounceOf(surface, eye), eye, depthScale, targets.x, targets.y, targets.z, count,
+                        points.x, points.y, points.z, plain);
+        } else {  // a shape without a batch form: every ray is followed by itself
+          std::fill(plain, plain + count, 0);
+          return 0;
+        }
       },
       optic.shape);
 }

@@ -14,6 +14,8 @@ using Problem = std::optional<std::string>;
 
 // Of the mirror's size: flatter than this, or nearer than this, counts as zero.
 constexpr double tolerance = 1e-6;
+// In radii: from farther away too few digits are left to say where on the mirror a ray arrives.
+constexpr double farthestEye = 1e6;
 
 Problem shapeProblem(const PlaneMirror& plane) {
   const auto& v = plane.corners;
@@ -50,6 +52,14 @@ Problem shapeProblem(const SphereMirror& sphere) {
   return std::nullopt;
 }
 
+Problem tooFar(double distance, double radius) {
+  return fmt::format(
+      "the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could be seen in it. "
+      "Make the "
+      "radius larger, or move the eye nearer.",
+      radius, distance);
+}
+
 Problem eyeProblem(const PlaneMirror& plane, const Point& eye) {
   const auto& v = plane.corners;
   const double size = std::max(glm::length(v[2] - v[0]), glm::length(v[3] - v[1]));
@@ -60,6 +70,7 @@ Problem eyeProblem(const PlaneMirror& plane, const Point& eye) {
 
 Problem eyeProblem(const CylinderMirror& cylinder, const Point& eye) {
   const double distance = glm::length(CylinderForm(cylinder, eye).w);
+  if (distance > cylinder.radius * farthestEye) return tooFar(distance, cylinder.radius);
   if (distance > cylinder.radius * (1 + tolerance)) return std::nullopt;
   return fmt::format(
       "the eye is inside the cylinder (continued beyond its ends): it is {:.3g} from the axis and the radius "
@@ -71,6 +82,7 @@ Problem eyeProblem(const CylinderMirror& cylinder, const Point& eye) {
 
 Problem eyeProblem(const SphereMirror& sphere, const Point& eye) {
   const double distance = glm::length(eye - sphere.centre);
+  if (distance > sphere.radius * farthestEye) return tooFar(distance, sphere.radius);
   if (distance > sphere.radius * (1 + tolerance)) return std::nullopt;
   return fmt::format(
       "the eye is inside the sphere: it is {:.3g} from the centre and the radius is {:.3g}. From there no "

@@ -1,5 +1,7 @@
 #include "optics/mirror_shapes.h"
 
+#include <iterator>
+
 #include "math/quadratic.h"
 #include "optics/plane_mirror.h"
 #include "optics/round_mirrors.h"
@@ -55,6 +57,7 @@ Direction planeNormal(const PlaneMirror& plane) {
 
 const char* shapeName(const MirrorShape& shape) {
   constexpr const char* names[] = {"plane", "cylinder", "sphere"};
+  static_assert(std::size(names) == std::variant_size_v<MirrorShape>);
   return names[shape.index()];
 }
 

@@ -1,8 +1,11 @@
 // The surfaces a mirror can have: a quad of a plane, a finite cylinder (an open tube), a sphere. For a ray
 // each tells the first point where it meets the finite surface, and the normal there. Both sides reflect.
 //
-// To add a shape: a struct here, its functions in a .cpp beside the others, its name in the variant; a batch
-// form in exit_points.cpp only when it should be faster than one ray after the other.
+// To add a shape: a struct here and its name in the variant; intersect and shapeName (mirror_shapes.cpp),
+// what can be wrong with it (mirror_problems.cpp), its triangles (tessellate.cpp), its fields in a level
+// (../level/level_fields.h) and the distance to its border for the bright rim (../raytrace/shading.cpp): the
+// compiler asks for each. A batch form in exit_points.cpp only when it should be faster than one ray after
+// the other.
 #pragma once
 
 #include <array>

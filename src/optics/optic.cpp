@@ -1,12 +1,15 @@
 #include "optics/optic.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "optics/reflect.h"
 
 namespace anamorph {
 namespace {
 
-// In lengths of the ray sent: far above rounding, far below what an image shows. A hit nearer than this is
-// the point the ray starts from.
+// As a share of the way travelled: far above rounding, far below what an image shows. A hit nearer than this
+// is the point the ray starts from.
 constexpr double sameSurfaceGap = 1e-9;
 
 }  // namespace
@@ -33,9 +36,12 @@ PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength
   if (path.pointCount == 0) return PathStatus::missesMirror;
   if (path.travelled > 1) return PathStatus::inFrontOfMirror;
   if (path.sine < grazingSine) return PathStatus::grazing;
-  const auto again = intersect(optic.shape, path.exit, sameSurfaceGap);
-  if (again && again->t < exitLength) return PathStatus::hitsMirrorAgain;
-  return PathStatus::mapped;
+  return freeLength(optic, path) < exitLength ? PathStatus::hitsMirrorAgain : PathStatus::mapped;
+}
+
+double freeLength(const Optic& optic, const OpticPath& path) {
+  const auto again = intersect(optic.shape, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
+  return again ? again->t : std::numeric_limits<double>::infinity();
 }
 
 bool reversesHandedness(const Optic& optic) {

@@ -60,6 +60,9 @@ OpticPath followRay(const Optic& optic, const Ray& ray);
 /// beyond the optic.
 PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength);
 
+/// How far the exit ray goes before it meets the optic again, in its own length; infinite when it never does.
+double freeLength(const Optic& optic, const OpticPath& path);
+
 /// Whether the image is mirrored, so that triangles have to be turned around: true for one reflection.
 bool reversesHandedness(const Optic& optic);
 

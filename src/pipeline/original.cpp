@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.h"
 #include "geometry/shapes.h"
 #include "level/level_json.h"
 
@@ -21,7 +22,13 @@ struct ShapeMaker {
   }
   Mesh operator()(const LetterFShape& s) const { return makeLetterF(s.height, s.segments); }
   Mesh operator()(const PawnShape& s) const { return makePawn(s.height, s.segments); }
-  Mesh operator()(const FileShape& s) const { return loadMesh(modelPath(s, levelPath), limits); }
+  Mesh operator()(const FileShape& s) const {
+    try {
+      return loadMesh(modelPath(s, levelPath), limits);
+    } catch (const Error& error) {
+      throw Error(error.what(), levelPath.string(), "/original/shape/path");
+    }
+  }
 };
 
 }  // namespace

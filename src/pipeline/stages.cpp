@@ -57,7 +57,7 @@ const char* explain(PathStatus status) {
              "depth "
              "scale";
   }
-  return "its triangles have corners that are not mapped";
+  return "nothing is wrong";
 }
 
 }  // namespace
@@ -82,10 +82,45 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
   const StatusCounts& counts = sculpture.originalStatus;
   std::size_t total = 0;
   for (const std::size_t count : counts) total += count;
-  const auto worst =
-      static_cast<std::size_t>(std::max_element(counts.begin() + 1, counts.end()) - counts.begin());
-  return fmt::format("no triangle of the original can be mapped. For {} of its {} vertices, {}.",
-                     counts[worst], total, explain(static_cast<PathStatus>(counts[worst] > 0 ? worst : 0)));
+  const auto worst = std::max_element(counts.begin() + 1, counts.end());
+  if (*worst == 0)
+    return "no triangle of the original has an area, so there is nothing to see in the mirror.";
+  return fmt::format("no triangle of the original can be mapped. For {} of its {} vertices, {}.", *worst,
+                     total, explain(static_cast<PathStatus>(worst - counts.begin())));
+}
+
+std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture) {
+  std::vector<std::string> warnings;
+  const StatusCounts& counts = sculpture.originalStatus;
+  std::size_t total = 0;
+  std::string rest;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    total += counts[i];
+    if (i == 0 || counts[i] == 0) continue;
+    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
+                        pathStatusName(static_cast<PathStatus>(i)));
+  }
+  if (!rest.empty()) {
+    const bool ownVertices = level.sculpture.tolerancePixels == 0;
+    warnings.push_back(
+        fmt::format("{} of {} vertices mapped ({}); faces with an unmapped corner are left out{}", counts[0],
+                    total, rest, ownVertices ? ", their vertices keep the original's position" : ""));
+  }
+  if (sculpture.budgetHit) {
+    warnings.push_back(
+        fmt::format("refinement stopped at the budget of {} triangles, where an edge is still {:.2g} px off; "
+                    "raise maxTriangles in "
+                    "the level, or the tolerance",
+                    level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
+  }
+  const double lowest = boundingBox(sculpture.mesh.positions).min.z;
+  if (level.ground.visible && lowest < level.ground.height - 1e-9) {
+    warnings.push_back(
+        fmt::format("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
+                    "the original, change the depth scale, or hide the ground",
+                    level.ground.height - lowest));
+  }
+  return warnings;
 }
 
 DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original) {

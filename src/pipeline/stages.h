@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "anamorphosis/match.h"
 #include "anamorphosis/sculpture.h"
@@ -39,6 +40,10 @@ std::optional<std::string> findProblem(const Level& level, const Mesh& original)
 
 /// Why no triangle of the original has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
+
+/// What is worth knowing of a sculpture that is not empty: vertices that are not mapped, a budget that was
+/// hit, parts below the ground.
+std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture);
 
 /// `original` is in scene coordinates.
 DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original);

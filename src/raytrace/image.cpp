@@ -39,14 +39,6 @@ Bitmap toBitmap(const Image& image) {
   return bitmap;
 }
 
-Image differenceImage(const Image& a, const Image& b) {
-  CHECK(a.width == b.width && a.height == b.height);
-  Image result(a.width, a.height);
-  for (std::size_t i = 0; i < result.pixels.size(); ++i)
-    result.pixels[i] = glm::abs(a.pixels[i] - b.pixels[i]);
-  return result;
-}
-
 BitmapDifference compare(const Bitmap& a, const Bitmap& b, int threshold) {
   CHECK(a.width == b.width && a.height == b.height && a.channels == b.channels);
   CHECK(a.bytes.size() == b.bytes.size());

@@ -42,9 +42,6 @@ float toDisplay(float linear);
 /// Every channel through toDisplay(), rounded to 8 bits; RGB.
 Bitmap toBitmap(const Image& image);
 
-/// |a - b| per channel, linear. The sizes must be equal.
-Image differenceImage(const Image& a, const Image& b);
-
 struct BitmapDifference {
   double meanAbsolute = 0;  ///< over all channels, 0..255
   int maxAbsolute = 0;      ///< of all channels, 0..255

@@ -103,7 +103,7 @@ BruteFigures bruteFigures(const MatchInput& input) {
   const Sculpture& s = *input.sculpture;
   for (int y = 0; y < input.height; ++y) {
     for (int x = 0; x < input.width; ++x) {
-      const Pixel centre(x + 0.5, y + 0.5);
+      const Pixel centre = matchSample(x, y);
       const Ray ray = projection.rayThrough(centre);
       const bool direct = bruteForce(*input.original, ray).t < infinity;
       const auto mirror = intersect(input.optic.shape, ray);
@@ -170,6 +170,31 @@ TEST(Match, ExactSculptureIsExcellent) {
   }
 }
 
+TEST(Match, EdgeAlongARowOfPixelsDoesNotDecideTheRow) {
+  // The eye at the height of the object's middle: its edges are level and fall between pixel centres or on
+  // them, depending on the size alone. The grade must not.
+  DeformInput deform = cylinderInput(makeLetterF(4, 4));
+  for (const int size : {127, 128, 129, 256}) {
+    deform.imageSize = size;
+    const MatchReport report = computeMatch(matchInput(deform, makeSculpture(deform), size)).report;
+    EXPECT_EQ(gradeOf(report), MatchGrade::excellent) << size << ": " << report.silhouetteIou;
+  }
+}
+
+TEST(Match, SamplesLieInTheirPixelsAndAreSpread) {
+  double sumX = 0, sumY = 0;
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const Pixel p = matchSample(x, y);
+      ASSERT_TRUE(p.x > x && p.x < x + 1 && p.y > y && p.y < y + 1);
+      sumX += p.x - x;
+      sumY += p.y - y;
+    }
+  }
+  EXPECT_NEAR(sumX / 10000, 0.5, 0.01);
+  EXPECT_NEAR(sumY / 10000, 0.5, 0.01);
+}
+
 TEST(Match, SameForEveryThreadCount) {
   const DeformInput deform = cylinderInput(box(4));
   const MatchInput input = matchInput(deform, makeSculpture(deform));
@@ -194,8 +219,8 @@ TEST(Match, ShiftedSculptureScoresWorse) {
 }
 
 TEST(Match, WrongOrderOfDepthScoresWorse) {
-  // d falls with |PQ|: every vertex is still on its own vertex ray, so the silhouette stays nearly right (fact F1),
-  // but what was behind is now in front (fact F2).
+  // d falls with |PQ|: every vertex is still on its own vertex ray, so the silhouette stays nearly right
+  // (fact F1), but what was behind is now in front (fact F2).
   for (const DeformInput& deform : {planeInput(box()), cylinderInput(box()), sphereInput(box())}) {
     Sculpture s = makeSculpture(deform);
     std::vector<VertexRay> rays;

@@ -120,7 +120,7 @@ TEST(Sculpture, BudgetIsReportedWhenItIsHit) {
   input.maxTriangles = 500;
   const Sculpture s = makeSculpture(input);
   EXPECT_TRUE(s.budgetHit);
-  EXPECT_GT(s.remainingErrorPixels, 0.005);
+  EXPECT_GT(s.remainingErrorPixels, 0.01) << "what is left is really over the tolerance";
   EXPECT_LE(s.mesh.triangles.size(), 500u);
   EXPECT_GT(s.mesh.triangles.size(), 400u) << "it is used";
   EXPECT_TRUE(isClosed(s.mesh)) << "and no crack is left where it stopped";
@@ -170,6 +170,22 @@ TEST(Sculpture, MirrorSmallerThanATriangleIsFound) {
   input.camera.target = {0, 0, 0};
   const Sculpture s = makeSculpture(input);
   EXPECT_GT(s.mesh.triangles.size(), 50u);
+  expectConsistent(input, s);
+}
+
+TEST(Sculpture, EdgesThatPassUnderTheEyeAreRefinedBeforeTheCamera) {
+  // A bar from behind the mirror to behind the camera: its long edges have one end that is not in the image.
+  DeformInput input = cylinderInput(placed(makeBox({0.7, 30, 0.7}, 1), {0, -9.6, 0.8}));
+  input.camera.target = {0, 5.4, 5};
+  const Sculpture s = makeSculpture(input);
+  ASSERT_FALSE(s.mesh.triangles.empty());
+  double nearest = 1e9, farthest = -1e9;
+  for (std::size_t i = 0; i < s.original.size(); ++i) {
+    nearest = std::min(nearest, s.original[i].y);
+    farthest = std::max(farthest, s.original[i].y);
+  }
+  EXPECT_NEAR(farthest, 5.4, 1e-9);
+  EXPECT_LT(nearest, -2.5) << "up to the mirror's front, where the bar goes through it";
   expectConsistent(input, s);
 }
 

@@ -142,9 +142,34 @@ TEST(BadInput, FullDiskIsSaid) {
     EXPECT_EQ(folder.fileCount(), 1u);
   }
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+  for (const char* command : {"levels", "match 1-plane --size 32 --json", "check 1-plane"}) {
+    const TemporaryFolder folder;
+    const int status = std::system(
+        (std::string(ANAMORPH_PROGRAM) + " " + command + " >/dev/full 2>" + (folder / "err")).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << command;
+    EXPECT_THAT(readAll(folder / "err"), HasSubstr("No space left on device")) << command;
+  }
+}
+
+TEST(BadInput, MeshWithoutAreaIsExplained) {
+  const TemporaryFolder folder;
+  writeText(folder / "point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+  expectRefused(folder, scene + " " + (folder / "point.obj"), "no triangle of the original has an area");
+  EXPECT_EQ(run("check " + (folder / "point.obj")).exitCode, 1);
+}
+
+TEST(BadInput, MissingModelNamesTheLevel) {
+  const TemporaryFolder folder;
+  std::string level = readAll(std::string(ANAMORPH_LEVELS) + "/1-plane.json");
+  const std::string shape = "{\"type\": \"box\", \"size\": [6, 2, 2], \"segments\": 32}";
+  ASSERT_NE(level.find(shape), std::string::npos);
+  level.replace(level.find(shape), shape.size(), "{\"type\": \"file\", \"path\": \"zzz.obj\"}");
+  writeText(folder / "level.json", level);
+  expectRefused(folder, folder / "level.json", "level.json: /original/shape/path: ");
 }
 
 TEST(BadInput, OutputThatCannotBeMade) {
+  EXPECT_EQ(run("deform 1-plane -o /proc/s.obj").exitCode, 1) << "no permission, not even for root";
   EXPECT_EQ(run("deform 1-plane -o /nothing/there/s.obj").exitCode, 1);
   EXPECT_THAT(run("deform 1-plane -o /nothing/there/s.obj").err,
               HasSubstr("/nothing/there/s.obj: cannot write: No such file or directory"));

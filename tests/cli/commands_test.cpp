@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,16 +40,39 @@ TEST(Program, HelpAndVersion) {
 }
 
 TEST(Program, WrongUsageIsTwo) {
-  for (const char* arguments :
-       {"", "nonsense", "deform", "match 1 --size 0", "match 1 --tolerance fine",
-        "render 1 -o x.png --size 5", "render 1 -o x.png --size 5x-5", "render 1 -o x.gif",
-        "deform 1 -o x.txt", "deform 1 -o x.obj --depth-scale 0", "match 1 --threads 0",
-        "render 1 -o x.png --view sideways", "check", "match 1 --tolerance -1"}) {
+  for (const std::string& arguments : std::vector<std::string>{"",
+                                                               "nonsense",
+                                                               "deform",
+                                                               "match 1 --size 0",
+                                                               "match 1 --tolerance fine",
+                                                               "render 1 -o x.png --size 5",
+                                                               "render 1 -o x.png --size 5x-5",
+                                                               "render 1 -o x.gif",
+                                                               "deform 1 -o x.txt",
+                                                               "deform 1 -o x.obj --depth-scale 0",
+                                                               "match 1 --threads 0",
+                                                               "render 1 -o x.png --view sideways",
+                                                               "check",
+                                                               "match 1 --tolerance -1",
+                                                               "match 1 --fov nan",
+                                                               "deform 1 -o x.obj --depth-scale nan",
+                                                               "match 1 --tolerance nan",
+                                                               "deform 1 -o x.obj --mm-per-unit nan",
+                                                               "render 1 -o x.png --fov inf",
+                                                               "defrom 1",
+                                                               "levels --size 64",
+                                                               "render 1 -o x.png --size 16384x16384",
+                                                               "render 1 -o x.png --size 99999999999x5",
+                                                               "match " + cube}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
-    EXPECT_NE(result.err, "") << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
     EXPECT_EQ(result.out, "") << arguments;
   }
+  EXPECT_THAT(run("defrom 1").err,
+              HasSubstr("expected a command (deform, match, render, check, levels), got defrom"));
+  EXPECT_THAT(run("match 1 --fov nan").err, HasSubstr("--fov: expected a number from 1 to 170, got nan"));
+  EXPECT_THAT(run("match " + cube).err, HasSubstr("is a mesh: name a level or a scene first"));
   const Result noModel = run("match " + sphereScene);
   EXPECT_EQ(noModel.exitCode, 2);
   EXPECT_THAT(noModel.err, HasSubstr("Name one after it"));
@@ -99,7 +125,7 @@ TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
   // One corner of the cube is in front of the mirror's plane.
   writeText(folder / "wedge.obj", "v 0 -11 0\nv 1 1 0\nv 1 1 1\nv -1 1 1\nf 1 2 3\nf 2 3 4\n");
   const Result result = run("deform " + data + "/scenes/thesis-flat.json " + (folder / "wedge.obj") +
-                         " --tolerance off --json -o " + (folder / "s.obj"));
+                            " --tolerance off --json -o " + (folder / "s.obj"));
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 inFrontOfMirror)"));
   const Mesh mesh = loadMesh(folder / "s.obj");
@@ -142,9 +168,49 @@ TEST(Match, JsonHasEveryFigure) {
 
 TEST(Match, DepthScaleChangesTheSculptureNotTheImage) {
   for (const char* k : {"0.3", "1.5"}) {
-    const Result result = run(std::string("match ") + sphereScene + " " + cube + " --json --depth-scale " + k);
+    const Result result =
+        run(std::string("match ") + sphereScene + " " + cube + " --json --depth-scale " + k);
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_GE(member(parseJson(result.out, "out"), "silhouetteIou").number, 0.995) << k;
+  }
+}
+
+TEST(Deform, ImageSizeComesFromTheLevelUnlessGiven) {
+  const TemporaryFolder folder;
+  std::string level = readAll(std::string(ANAMORPH_LEVELS) + "/2-cylinder.json");
+  const std::string key = "\"imageSize\": 512";
+  ASSERT_NE(level.find(key), std::string::npos);
+  level.replace(level.find(key), key.size(), "\"imageSize\": 8192");
+  writeText(folder / "fine.json", level);
+  const auto triangles = [&](const std::string& arguments) {
+    const Result result = run("deform " + arguments + " --json -o " + (folder / "s.obj"));
+    return result.exitCode == 0 ? member(parseJson(result.out, "out"), "triangles").number : 0;
+  };
+  const double coarse = triangles("2-cylinder"), fine = triangles(folder / "fine.json");
+  EXPECT_GT(fine, 2 * coarse);
+  EXPECT_EQ(triangles("2-cylinder --image-size 8192"), fine);
+}
+
+TEST(Warnings, BudgetGroundAndUnmappedVerticesAreSaidByEveryCommand) {
+  const TemporaryFolder folder;
+  std::string level = readAll(std::string(ANAMORPH_LEVELS) + "/2-cylinder.json");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(level.find(from), std::string::npos) << from;
+    level.replace(level.find(from), from.size(), to);
+  };
+  replace("\"maxTriangles\": 2000000", "\"maxTriangles\": 13000");
+  replace("\"tolerancePixels\": 0.25", "\"tolerancePixels\": 0.01");
+  replace("\"height\": 0", "\"height\": 5");
+  writeText(folder / "level.json", level);
+  for (const std::string& arguments :
+       {"match " + (folder / "level.json") + " --size 64",
+        "render " + (folder / "level.json") + " --size 64x64 -o " + (folder / "p.png"),
+        "deform " + (folder / "level.json") + " -o " + (folder / "s.obj"),
+        "check " + (folder / "level.json")}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("refinement stopped at the budget of 13000 triangles")) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("below the ground")) << arguments;
   }
 }
 
@@ -152,7 +218,7 @@ TEST(Render, EveryViewAtAnySize) {
   const TemporaryFolder folder;
   for (const char* view : {"reflection", "original", "difference"}) {
     const Result result = run(std::string("render 1-plane --size 90x60 --samples 1 --view ") + view + " -o " +
-                           (folder / "p.png"));
+                              (folder / "p.png"));
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const Bitmap picture = loadPng(folder / "p.png");
     EXPECT_EQ(picture.width, 90);
@@ -170,8 +236,8 @@ TEST(Render, SameForEveryThreadCount) {
 TEST(Check, NamesWhatIsFineAndWhatIsNot) {
   const Result good = run("check 1-plane " + sphereScene + " " + cube);
   EXPECT_EQ(good.exitCode, 0) << good.err;
-  EXPECT_THAT(good.out,
-              HasSubstr("1-plane: level \"The plane mirror\", plane mirror, 6146 of 6146 vertices mapped"));
+  EXPECT_THAT(good.out, HasSubstr("1-plane: level \"The plane mirror\", plane mirror, 6146 of 6146 vertices "
+                                  "mapped, match excellent"));
   EXPECT_THAT(good.out, HasSubstr("thesis scene, sphere mirror"));
   EXPECT_THAT(good.out, HasSubstr("mesh, 8 vertices, 12 triangles, 2 x 2 x 2, closed"));
   const Result bad = run("check " + cylinderScene + " nothing.obj 1-plane");

@@ -1,5 +1,7 @@
 #include "geometry/bvh.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -373,6 +375,19 @@ TEST(Bvh, MisuseIsReported) {
   EXPECT_THROW(Bvh(mesh.positions, bad), ProgrammingError);
   Bvh bvh(mesh.positions, mesh.triangles);
   EXPECT_THROW(bvh.refit(PointArray(2)), ProgrammingError);
+}
+
+TEST(Bvh, RaysThatAreNoRaysMeetNothing) {
+  const Mesh mesh = makeSphere(1, 64);
+  const Bvh bvh(mesh.positions, mesh.triangles);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Ray& ray : {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{nan, nan, nan}, {nan, nan, nan}},
+                         Ray{{0, 0, 0}, {0, nan, 1}}, Ray{{0, 0, 0}, {0, 0, 0}}, Ray{{infinity, 0, 0}, {-1, 0, 0}},
+                         Ray{{0, 0, 0}, {infinity, 0, 0}}}) {
+    BvhHit hit;
+    EXPECT_FALSE(bvh.closestHit(ray, hit));
+    EXPECT_FALSE(bvh.anyHit(ray));
+  }
 }
 
 }  // namespace

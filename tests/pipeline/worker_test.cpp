@@ -35,28 +35,38 @@ TEST(Worker, DeliversAndWakes) {
 }
 
 TEST(Worker, LatestRequestWins) {
-  Mailbox<int> box;
-  std::atomic<int> started{0};
+  std::atomic<bool> release{false};
+  std::atomic<int> started{0}, last{0};
   Worker worker;
-  worker.request([&](const Progress& progress) {
+  worker.request([&](const Progress&) {
     ++started;
-    runForever(progress);
+    while (!release) std::this_thread::sleep_for(100us);  // busy until everything is asked for
   });
   ASSERT_TRUE(waitUntil([&] { return started == 1; }));
   for (int i = 1; i <= 100; ++i) {
-    worker.request([&, i](const Progress& progress) {
+    worker.request([&, i](const Progress&) {
       ++started;
-      if (i < 100) runForever(progress);
-      box.put(i);
+      last = i;
     });
   }
-  std::optional<int> last;
-  ASSERT_TRUE(waitUntil([&] {
-    if (auto value = box.take()) last = value;
-    return last == 100;
-  }));
+  release = true;
+  ASSERT_TRUE(waitUntil([&] { return last == 100; }));
   EXPECT_TRUE(waitUntil([&] { return !worker.busy(); }));
-  EXPECT_LT(started, 102) << "most were replaced before they began, none ran twice";
+  EXPECT_EQ(started, 2) << "all between the first and the last were replaced before they began";
+}
+
+TEST(Worker, NewRequestCancelsTheRunningOne) {
+  std::atomic<bool> running{false}, cancelled{false}, second{false};
+  Worker worker;
+  worker.request([&](const Progress& progress) {
+    running = true;
+    runForever(progress);
+    cancelled = true;
+  });
+  ASSERT_TRUE(waitUntil([&] { return running.load(); }));
+  worker.request([&](const Progress&) { second = true; });
+  EXPECT_TRUE(waitUntil([&] { return second.load(); }));
+  EXPECT_TRUE(cancelled);
 }
 
 TEST(Worker, RequestNeverWaitsForTheRunningJob) {

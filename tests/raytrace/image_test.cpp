@@ -57,14 +57,6 @@ TEST(ToBitmap, RoundsEveryChannel) {
   EXPECT_EQ(toBitmap(image), bitmapOf(2, 1, {0, 188, 255, 5, 127, 0}));
 }
 
-TEST(DifferenceImage, IsTheAbsoluteDifferencePerChannel) {
-  Image a(1, 1), b(1, 1);
-  a.at(0, 0) = {0.5f, 0.25f, 0};
-  b.at(0, 0) = {0.25f, 0.5f, 1};
-  EXPECT_EQ(differenceImage(a, b).at(0, 0), glm::vec3(0.25f, 0.25f, 1));
-  EXPECT_THROW(differenceImage(a, Image(1, 2)), ProgrammingError);
-}
-
 TEST(CompareBitmaps, CountsPixelsOverTheThreshold) {
   const Bitmap a = bitmapOf(2, 2, {0, 0, 0, 10, 10, 10, 20, 20, 20, 30, 30, 30});
   const Bitmap b = bitmapOf(2, 2, {0, 0, 0, 10, 13, 10, 20, 20, 16, 30, 30, 30});
