@@ -1,7 +1,5 @@
 // anamorph check: what is wrong with a level, a scene or a mesh, and where.
 
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -64,9 +62,9 @@ std::string checkFile(const std::string& file, const CommonOptions& common) {
 void check(const std::vector<std::string>& files, const CommonOptions& common) {
   std::size_t bad = 0;
   for (const std::string& file : files) {
+    flushResults();  // in order with what goes to stderr
     try {
       fmt::print("{}: {}\n", file, checkFile(file, common));
-      std::fflush(stdout);  // in order with what goes to stderr
     } catch (const Error& error) {
       fmt::print(stderr, "{}\n", error.what());
       ++bad;

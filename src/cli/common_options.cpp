@@ -2,11 +2,15 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "base/error.h"
 
 namespace anamorph {
 
@@ -46,6 +50,10 @@ void sayMessage(const CommonOptions& options, const std::string& text) {
 
 void sayWarnings(const CommonOptions& options, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) sayMessage(options, "warning: " + warning);
+}
+
+void flushResults() {
+  if (std::fflush(stdout) != 0) throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
 }
 
 double secondsNow() {

@@ -51,6 +51,9 @@ class ProgressBar {
   Progress progress_;
 };
 
+/// What is printed waits in a buffer, so a full disk shows only now. Throws Error.
+void flushResults();
+
 /// Seconds of a clock that only goes forward.
 double secondsNow();
 

@@ -34,7 +34,7 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   fmt::print("{:<12} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
              sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
              report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));
-  std::fflush(stdout);
+  flushResults();
 }
 
 void levels(const LevelsOptions& options, const CommonOptions& common) {

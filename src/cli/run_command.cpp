@@ -1,8 +1,6 @@
 #include "cli/run_command.h"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -40,8 +38,7 @@ int parseAndRun(CLI::App& app, int argc, char** argv) {
     fmt::print(stderr, "{} (the option -h explains)\n", error.what());
     return wrongUsage;
   }
-  // What is printed waits in a buffer: a full disk shows only now.
-  if (std::fflush(stdout) != 0) throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
+  flushResults();
   return ok;
 }
 

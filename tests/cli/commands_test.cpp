@@ -203,7 +203,7 @@ TEST(Warnings, BudgetGroundAndUnmappedVerticesAreSaidByEveryCommand) {
   replace("\"height\": 0", "\"height\": 5");
   writeText(folder / "level.json", level);
   for (const std::string& arguments :
-       {"match " + (folder / "level.json") + " --size 64",
+       {"match " + (folder / "level.json"),
         "render " + (folder / "level.json") + " --size 64x64 -o " + (folder / "p.png"),
         "deform " + (folder / "level.json") + " -o " + (folder / "s.obj"),
         "check " + (folder / "level.json")}) {
