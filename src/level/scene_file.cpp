@@ -121,6 +121,7 @@ Level readThesisScene(const JsonValue& document, FieldReader::Context& context) 
   // The files say nothing of light and 3D view: a lamp at the eye shows what the eye sees, the view starts
   // behind it.
   level.lights = {PointLight{.position = scene.eye}};
+  level.ground.visible = false;  // a scene knows no floor: its sculpture may lie anywhere
   level.view = ViewSettings{.eye = position + 1.5 * (scene.eye - position), .target = position};
   return level;
 }
