@@ -117,7 +117,7 @@ TEST(Deform, JsonTellsWhatWasMade) {
   EXPECT_EQ(member(json, "vertices").number, double(mesh.positions.size()));
   EXPECT_EQ(member(json, "triangles").number, double(mesh.triangles.size()));
   EXPECT_NEAR(member(member(json, "bounds"), "max").items[0].number, boundingBox(mesh.positions).max.x, 1e-9);
-  EXPECT_GT(boundingBox(mesh.positions).size().x, 60) << "in millimetres";
+  EXPECT_GT(boundingBox(mesh.positions).size().x, 40) << "in millimetres";
 }
 
 TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
