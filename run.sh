@@ -8,7 +8,8 @@ home="$(cd "$(dirname "$0")" && pwd)"
 if [ ! -f "$home/build/release/build.ninja" ]; then
   (cd "$home" && cmake --preset release -DANAMORPH_TESTS=OFF) >&2
 fi
-if ! cmake --build "$home/build/release" --target anamorph -- -n | grep -q "no work to do"; then
+plan="$(cmake --build "$home/build/release" --target anamorph -- -n)"
+if [[ "$plan" != *"no work to do"* ]]; then
   echo "Building Anamorph; the first time this takes a few minutes." >&2
   cmake --build "$home/build/release" --target anamorph >&2
 fi

@@ -1,6 +1,7 @@
 #include "anamorphosis/sculpture.h"
 
 #include <limits>
+#include <utility>
 
 #include "anamorphosis/refine.h"
 

@@ -1,6 +1,7 @@
 #include "geometry/bvh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "base/parallel_for.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "base/parallel_for.h"
 #include "geometry/bvh_simd.h"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <istream>
 #include <streambuf>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/file_text.h"

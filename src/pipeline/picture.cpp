@@ -1,5 +1,7 @@
 #include "pipeline/picture.h"
 
+#include <utility>
+
 #include "base/check.h"
 
 namespace anamorph {

@@ -1,5 +1,7 @@
 // The facts F1 to F8 that every implementation must satisfy (method section 4), each over random scenes.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "anamorphosis/edge_error.h"

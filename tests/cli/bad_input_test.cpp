@@ -1,6 +1,8 @@
 // Every kind of bad input through the program: a message with the file and what was expected, the exit code,
 // no output file, an existing output file untouched.
 
+#include <algorithm>
+
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -5,7 +5,10 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace anamorph {
 namespace {

@@ -1,5 +1,7 @@
 #include "geometry/obj_reader.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "error_text.h"
@@ -7,7 +9,6 @@
 
 namespace anamorph {
 namespace {
-
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

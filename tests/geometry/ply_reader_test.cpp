@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "error_text.h"
 #include "geometry/little_endian_file.h"
 
 namespace anamorph {
 namespace {
-
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
   return readPly(bytes, "m.ply", limits);

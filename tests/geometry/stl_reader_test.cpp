@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 #include "error_text.h"
 #include "geometry/little_endian_file.h"
 
 namespace anamorph {
 namespace {
-
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
   return readStl(bytes, "m.stl", limits);

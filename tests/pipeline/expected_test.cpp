@@ -1,6 +1,7 @@
 // The exact sculptures of the thesis' scenes, against vertices computed by an implementation that shares no
 // code with this one (data/expected, 17 digits, in vertex order).
 
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "base/check.h"
 #include "raytrace/test_scenes.h"
