@@ -8,11 +8,9 @@ home="$(cd "$(dirname "$0")" && pwd)"
 if [ ! -f "$home/build/release/build.ninja" ]; then
   (cd "$home" && cmake --preset release -DANAMORPH_TESTS=OFF) >&2
 fi
-plan="$(cmake --build "$home/build/release" --target anamorph -- -n)"
-if [[ "$plan" != *"no work to do"* ]]; then
-  echo "Building Anamorph; the first time this takes a few minutes." >&2
-  cmake --build "$home/build/release" --target anamorph >&2
-fi
+# Progress is shown while something is built, and nothing when there is nothing to do.
+cmake --build "$home/build/release" --target anamorph |
+  { grep --line-buffered -v -e "no work to do" -e "Re-checking globbed" >&2 || true; }
 
 if [ $# -eq 0 ]; then
   cd "$home"
