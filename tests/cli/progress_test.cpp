@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(ProgressBar, ShowsOnATerminalForWhatTakesLongAndGoesAway) {
-  if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no program `script`";
+  if (std::system("script -qec true /dev/null >/dev/null 2>&1") != 0) GTEST_SKIP() << "no pseudo-terminal";
   const TemporaryFolder folder;
   const std::string render = std::string(ANAMORPH_PROGRAM) +
                              " render 2-cylinder --size 450x450 --samples 4 --threads 1 -o " +
