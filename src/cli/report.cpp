@@ -69,19 +69,6 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
       .value();
 }
 
-std::string statusSentence(const StatusCounts& counts) {
-  std::size_t total = 0;
-  std::string rest;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    total += counts[i];
-    if (i == 0 || counts[i] == 0) continue;
-    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
-                        pathStatusName(static_cast<PathStatus>(i)));
-  }
-  const std::string mapped = fmt::format("{} of {} vertices mapped", counts[0], total);
-  return rest.empty() ? mapped : mapped + " (" + rest + ")";
-}
-
 void printJson(const JsonValue& value) {
   fmt::print("{}", formatJson(value));
 }

@@ -29,9 +29,6 @@ JsonValue statusJson(const StatusCounts& counts);
 /// {"size": ..., "silhouetteIou": ..., ...}; correspondencePx is null when no pixel could be compared.
 JsonValue matchJson(const MatchReport& report, const StatusCounts& counts);
 
-/// "6100 of 6146 vertices mapped (46 missesMirror)"
-std::string statusSentence(const StatusCounts& counts);
-
 /// Object on stdout, indented.
 void printJson(const JsonValue& value);
 

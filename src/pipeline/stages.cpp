@@ -89,9 +89,7 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
                      total, explain(static_cast<PathStatus>(worst - counts.begin())));
 }
 
-std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture) {
-  std::vector<std::string> warnings;
-  const StatusCounts& counts = sculpture.originalStatus;
+std::string statusSentence(const StatusCounts& counts) {
   std::size_t total = 0;
   std::string rest;
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -100,11 +98,17 @@ std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculp
     rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
                         pathStatusName(static_cast<PathStatus>(i)));
   }
-  if (!rest.empty()) {
+  const std::string mapped = fmt::format("{} of {} vertices mapped", counts[0], total);
+  return rest.empty() ? mapped : mapped + " (" + rest + ")";
+}
+
+std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture) {
+  std::vector<std::string> warnings;
+  const StatusCounts& counts = sculpture.originalStatus;
+  if (std::any_of(counts.begin() + 1, counts.end(), [](std::size_t count) { return count > 0; })) {
     const bool ownVertices = level.sculpture.tolerancePixels == 0;
-    warnings.push_back(
-        fmt::format("{} of {} vertices mapped ({}); faces with an unmapped corner are left out{}", counts[0],
-                    total, rest, ownVertices ? ", their vertices keep the original's position" : ""));
+    warnings.push_back(statusSentence(counts) + "; faces with an unmapped corner are left out" +
+                       (ownVertices ? ", their vertices keep the original's position" : ""));
   }
   if (sculpture.budgetHit) {
     warnings.push_back(

@@ -41,6 +41,9 @@ std::optional<std::string> findProblem(const Level& level, const Mesh& original)
 /// Why no triangle of the original has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 
+/// "6100 of 6146 vertices mapped (46 missesMirror)"
+std::string statusSentence(const StatusCounts& counts);
+
 /// What is worth knowing of a sculpture that is not empty: vertices that are not mapped, a budget that was
 /// hit, parts below the ground.
 std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture);
