@@ -1,7 +1,15 @@
-// Chooses the command, prints an Error, returns the exit code; all else is in cli/.
+// Chooses the command, prints an Error, returns the exit code; all else is in cli/ and app/.
 
 #include "cli/run_command.h"
 
+#ifdef ANAMORPH_GUI
+#include "app/commands.h"
+#endif
+
 int main(int argc, char** argv) {
+#ifdef ANAMORPH_GUI
+  return anamorph::runCommand(argc, argv, anamorph::windowCommands());
+#else
   return anamorph::runCommand(argc, argv);
+#endif
 }

@@ -33,14 +33,29 @@ const std::map<std::string, Room> rooms{
     {"raytrace", {{"base", "math", "geometry", "optics"}, {"glm/", "fmt/", "stb_"}}},
     {"pipeline",
      {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace"}, {"glm/", "fmt/"}}},
+    {"edit",
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline"},
+      {"glm/", "fmt/"}}},
+    {"gl", {{"base", "math"}, {"glm/", "fmt/", "glad/", "EGL/"}}},
+    {"viewport",
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit", "gl"},
+      {"glm/", "fmt/", "glad/"}}},
+    {"panels",
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit"},
+      {"glm/", "fmt/", "imgui"}}},
+    {"app",
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit", "cli", "gl",
+       "viewport", "panels"},
+      {"glm/", "fmt/", "CLI/", "imgui", "backends/imgui", "glad/", "GLFW/", "fontconfig/"}}},
     {"cli",
      {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline"},
       {"glm/", "fmt/", "CLI/"}}},
 };
-const Names wrappedInOneFile{"tiny_obj_loader.h", "nlohmann/", "stb_"};
+const Names wrappedInOneFile{"tiny_obj_loader.h", "nlohmann/", "stb_", "EGL/", "fontconfig/"};
 const Names otherLibraries{"glm/",      "fmt/", "CLI/",   "tiny_obj_loader.h",
                            "nlohmann/", "stb_", "imgui",  "GLFW/",
-                           "glad/",     "EGL/", "embree", "gtest/"};
+                           "glad/",     "EGL/", "embree", "gtest/",
+                           "backends/imgui", "fontconfig/"};
 
 bool startsWithOne(const std::string& text, const Names& beginnings) {
   return std::any_of(beginnings.begin(), beginnings.end(),

@@ -7,12 +7,15 @@
 #   third_party/install.sh --benchmarks   and what the benchmarks need
 set -euo pipefail
 
-packages=(g++ cmake ninja-build libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev libstb-dev)
+packages=(g++ cmake ninja-build libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev libstb-dev
+  # The window: OpenGL by glad and EGL, GLFW, Dear ImGui, a font with the signs of geometry
+  libglfw3-dev libimgui-dev python3-glad libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfontconfig-dev fontconfig
+  fonts-dejavu-core pkg-config)
 optional=()  # installed where the system has them; what uses them is left out elsewhere
 for argument in "$@"; do
   case "$argument" in
     --tests)
-      packages+=(libgtest-dev libgmock-dev)
+      packages+=(libgtest-dev libgmock-dev xvfb xauth xdotool)
       optional+=(clang-14 libc++-14-dev)  # the core also has to compile for the web's toolchain
       ;;
     --benchmarks)

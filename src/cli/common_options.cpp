@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -13,6 +14,26 @@
 #include "base/error.h"
 
 namespace anamorph {
+namespace {
+
+constexpr int maxSide = 16384;
+
+// "WxH" to two numbers.
+std::pair<int, int> parseSize(const std::string& text) {
+  const char* end = text.data() + text.size();
+  int width = 0, height = 0;
+  const auto first = std::from_chars(text.data(), end, width);
+  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+  const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
+  if (!cross || second.ec != std::errc() || second.ptr != end || width < 1 || height < 1 || width > maxSide ||
+      height > maxSide) {
+    throw CLI::ValidationError(
+        "--size", fmt::format("expected WIDTHxHEIGHT with sides from 1 to {}, got {}", maxSide, text));
+  }
+  return {width, height};
+}
+
+}  // namespace
 
 MeshLimits CommonOptions::meshLimits() const {
   MeshLimits limits;
@@ -42,6 +63,12 @@ CLI::Validator numberFrom(double low, double high) {
         return inRange ? std::string() : "expected a number from " + range + ", got " + text;
       },
       range);
+}
+
+void addSizeOption(CLI::App& command, std::pair<int, int>& size) {
+  command.add_option_function<std::string>(
+      "--size", [&size](const std::string& text) { size = parseSize(text); },
+      fmt::format("WIDTHxHEIGHT in pixels (default {}x{})", size.first, size.second));
 }
 
 void sayMessage(const CommonOptions& options, const std::string& text) {

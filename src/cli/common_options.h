@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,9 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 
 /// Accepts finite numbers from low to high and says so otherwise. (CLI11's own Range lets nan pass.)
 CLI::Validator numberFrom(double low, double high);
+
+/// --size WIDTHxHEIGHT, in pixels; `size` has the default and lives as long as the command.
+void addSizeOption(CLI::App& command, std::pair<int, int>& size);
 
 /// One line on stderr, unless --quiet.
 void sayMessage(const CommonOptions& options, const std::string& text);

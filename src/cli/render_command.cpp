@@ -1,7 +1,6 @@
 // anamorph render: a ray-traced picture from the RT camera.
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <utility>
 
@@ -15,8 +14,6 @@
 namespace anamorph {
 namespace {
 
-constexpr int maxSide = 16384;
-
 struct RenderOptions {
   InputOptions input;
   std::string output;
@@ -25,21 +22,6 @@ struct RenderOptions {
   int samples = 0;  // 0: as in the level
   double maxMegapixels = 64;
 };
-
-// "WxH" to two numbers.
-std::pair<int, int> parseSize(const std::string& text) {
-  const char* end = text.data() + text.size();
-  int width = 0, height = 0;
-  const auto first = std::from_chars(text.data(), end, width);
-  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
-  if (!cross || second.ec != std::errc() || second.ptr != end || width < 1 || height < 1 || width > maxSide ||
-      height > maxSide) {
-    throw CLI::ValidationError(
-        "--size", fmt::format("expected WIDTHxHEIGHT with sides from 1 to {}, got {}", maxSide, text));
-  }
-  return {width, height};
-}
 
 void render(const RenderOptions& options, const CommonOptions& common) {
   static const std::map<std::string, PictureKind> kinds{{"reflection", PictureKind::reflection},
@@ -80,9 +62,7 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->input);
   command->add_option("-o,--output", options->output, "The PNG file to write")->required();
-  command->add_option_function<std::string>(
-      "--size", [options](const std::string& text) { options->size = parseSize(text); },
-      "WIDTHxHEIGHT (default 512x512)");
+  addSizeOption(*command, options->size);
   command->add_option("--view", options->view, "reflection, original or difference")
       ->check(CLI::IsMember({"reflection", "original", "difference"}));
   command

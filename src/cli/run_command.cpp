@@ -1,11 +1,14 @@
 #include "cli/run_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,27 +16,60 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "level/level_library.h"
 
 namespace anamorph {
 namespace {
 
 enum ExitCode { ok = 0, dataFault = 1, wrongUsage = 2, programFault = 3 };
 
+using Arguments = std::vector<std::string>;
+
+bool isCommand(const CLI::App& app, const std::string& name) {
+  const auto commands = app.get_subcommands({});
+  return std::any_of(commands.begin(), commands.end(),
+                     [&](const CLI::App* command) { return command->get_name() == name; });
+}
+
+bool isGeneralOption(const std::string& name) {
+  return name == "-h" || name == "--help" || name == "--version";
+}
+
+bool isLevel(const std::string& name) {
+  try {
+    findLevel(name);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// `anamorph 1-plane` and `anamorph --fullscreen` mean the command that is meant otherwise.
+void completeCommand(const CLI::App& app, const std::string& otherwise, Arguments& arguments) {
+  if (otherwise.empty()) return;
+  if (!arguments.empty()) {
+    const std::string& first = arguments.front();
+    if (isCommand(app, first) || isGeneralOption(first)) return;
+    if (!first.starts_with("-") && !isLevel(first)) return;
+  }
+  arguments.insert(arguments.begin(), otherwise);
+}
+
 // CLI11 only says that a command is missing; a mistyped one is named here.
-void checkCommandName(const CLI::App& app, int argc, char** argv) {
+void checkCommandName(const CLI::App& app, const Arguments& arguments) {
+  if (!arguments.empty() && (isCommand(app, arguments.front()) || arguments.front().starts_with("-"))) return;
   std::string known;
   for (const CLI::App* command : app.get_subcommands({})) {
-    if (argc > 1 && command->get_name() == argv[1]) return;
     known += (known.empty() ? "" : ", ") + command->get_name();
   }
-  if (argc > 1 && argv[1][0] == '-') return;
-  const std::string got = argc > 1 ? ", got " + std::string(argv[1]) : "";
+  const std::string got = arguments.empty() ? "" : ", got " + arguments.front();
   throw UsageError("expected a command (" + known + ")" + got + "; anamorph -h explains them");
 }
 
-int parseAndRun(CLI::App& app, int argc, char** argv) {
+int parseAndRun(CLI::App& app, Arguments arguments) {
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // the help or the version was asked for
     fmt::print(stderr, "{} (the option -h explains)\n", error.what());
@@ -45,7 +81,7 @@ int parseAndRun(CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
-int runCommand(int argc, char** argv) {
+int runCommand(int argc, char** argv, const MoreCommands& more) {
   CLI::App app("Anamorph: sculptures whose reflection in a mirror looks like an ordinary object.",
                "anamorph");
   app.set_version_flag("--version", "anamorph " ANAMORPH_VERSION);
@@ -56,9 +92,12 @@ int runCommand(int argc, char** argv) {
   addRenderCommand(app, common);
   addCheckCommand(app, common);
   addLevelsCommand(app, common);
+  for (const auto add : more.add) add(app, common);
   try {
-    checkCommandName(app, argc, argv);
-    return parseAndRun(app, argc, argv);
+    Arguments arguments(argv + std::min(argc, 1), argv + argc);
+    completeCommand(app, more.otherwise, arguments);
+    checkCommandName(app, arguments);
+    return parseAndRun(app, std::move(arguments));
   } catch (const UsageError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return wrongUsage;

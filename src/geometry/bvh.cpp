@@ -75,11 +75,12 @@ Bvh::Bvh(const PointArray& points, std::span<const Triangle> triangles, int thre
   placePoints(data_, points, threads);
 }
 
-void Bvh::refit(const PointArray& points, int threads) {
+void Bvh::refit(const PointArray& points, int threads, std::span<const std::uint8_t> absent) {
   CHECK(points.size() == data_.points.size());
+  CHECK(absent.empty() || absent.size() == points.size());
   if (empty()) return;
-  placeFrame(data_, points);
-  placePoints(data_, points, threads);
+  placeFrame(data_, points, absent);
+  placePoints(data_, points, threads, absent);
 }
 
 }  // namespace anamorph

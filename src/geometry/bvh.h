@@ -34,8 +34,9 @@ class Bvh {
   Bvh(const PointArray& points, std::span<const Triangle> triangles, int threads = 1);
 
   /// New boxes for moved points, as many as it was built from. The tree stays as it is, so rays get slower
-  /// the more the shape changes, but never wrong.
-  void refit(const PointArray& points, int threads = 1);
+  /// the more the shape changes, but never wrong. Triangles with a point i where absent[i] is not 0 are not
+  /// there until the next refit; an empty `absent` means that all are.
+  void refit(const PointArray& points, int threads = 1, std::span<const std::uint8_t> absent = {});
 
   /// The first triangle met at tMin < t < tMax, from either side. False when there is none; `hit` is
   /// untouched then.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/bvh_nodes.h"
@@ -37,10 +38,11 @@ struct BvhWideTree {
 /// The same tree with eight children a node, as full as can be.
 BvhWideTree collapseTree(const std::vector<BvhNode>& nodes);
 
-/// Sets centre and radius.
-void placeFrame(BvhData& data, const PointArray& points);
+/// Sets centre and radius. `absent` as for Bvh::refit, here and below.
+void placeFrame(BvhData& data, const PointArray& points, std::span<const std::uint8_t> absent = {});
 
 /// Sets every coordinate of points, blocks and nodes; topology is in place.
-void placePoints(BvhData& data, const PointArray& points, int threads);
+void placePoints(BvhData& data, const PointArray& points, int threads,
+                 std::span<const std::uint8_t> absent = {});
 
 }  // namespace anamorph

@@ -18,13 +18,18 @@ struct alignas(16) FloatPoint {
   float x[4];
 };
 
-std::vector<FloatPoint> copyPoints(BvhData& data, const PointArray& points, int threads) {
+constexpr float noNumber = std::numeric_limits<float>::quiet_NaN();
+
+// Absent points become NaN here, and nowhere else.
+std::vector<FloatPoint> copyPoints(BvhData& data, const PointArray& points, int threads,
+                                   std::span<const std::uint8_t> absent) {
   std::vector<FloatPoint> floats(points.size());
   parallelFor(points.size(), 16384, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Point p = points[i], q = p - data.centre;
       data.points[i] = {p.x, p.y, p.z, 0};
       floats[i] = {{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), 0}};
+      if (!absent.empty() && absent[i] != 0) floats[i] = {{noNumber, noNumber, noNumber, 0}};
     }
   });
   return floats;
@@ -54,11 +59,19 @@ void storeBox(BvhNode& node, Float4 min, Float4 max) {
 /// The corners of a leaf's triangles into its block, and their box into the leaf.
 void fillBlock(const std::vector<FloatPoint>& points, Float4 pad, BvhBlock& block, BvhNode& leaf) {
   Float4 min = broadcast(std::numeric_limits<float>::infinity()), max = -min;
+  Float4 nothing[4];  // 0, or NaN where the lane has no triangle or one without all its corners
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    nothing[lane] = broadcast(noNumber);
+    if (lane >= leaf.count) continue;
+    const Float4 sum = load(points[block.point[0][lane]].x) + load(points[block.point[1][lane]].x) +
+                       load(points[block.point[2][lane]].x);
+    nothing[lane] = sum - sum;
+  }
   for (int corner = 0; corner < 3; ++corner) {
     Float4 p[4];
     for (std::uint32_t lane = 0; lane < 4; ++lane) {
-      p[lane] = lane < leaf.count ? load(points[block.point[corner][lane]].x)
-                                  : broadcast(std::numeric_limits<float>::quiet_NaN());
+      p[lane] = nothing[lane];
+      if (lane < leaf.count) p[lane] += load(points[block.point[corner][lane]].x);
       // In this order of arguments NaN loses.
       min = minimum(p[lane], min);
       max = maximum(p[lane], max);
@@ -95,24 +108,26 @@ void copyBounds(const std::vector<BvhNode>& nodes, BvhWideNode& wide) {
 
 }  // namespace
 
-void placeFrame(BvhData& data, const PointArray& points) {
+void placeFrame(BvhData& data, const PointArray& points, std::span<const std::uint8_t> absent) {
   // A stray point that no triangle uses would cost all others their digits.
   Box box;
   auto unused = data.unusedPoints.begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (unused != data.unusedPoints.end() && *unused == i) {
       ++unused;
-    } else {
+    } else if (absent.empty() || absent[i] == 0) {
       box.extend(points[i]);
     }
   }
+  if (box.empty()) box.extend(Point(0));
   const Vector size = box.size();
   data.centre = box.centre();
   data.radius = 0.5 * std::max({size.x, size.y, size.z});
 }
 
-void placePoints(BvhData& data, const PointArray& points, int threads) {
-  const std::vector<FloatPoint> floats = copyPoints(data, points, threads);
+void placePoints(BvhData& data, const PointArray& points, int threads,
+                 std::span<const std::uint8_t> absent) {
+  const std::vector<FloatPoint> floats = copyPoints(data, points, threads, absent);
   const Float4 pad = broadcast(static_cast<float>(padding * data.radius));
   parallelFor(data.blocks.size(), 2048, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -13,6 +13,8 @@ constexpr glm::vec3 onlyReflectionColor{0.67f, 0.11f, 0.00f};  // vermilion
 constexpr glm::vec3 hiddenColor{0.87f, 0.35f, 0.00f};          // orange
 constexpr glm::vec3 missedColor{0.60f, 0.19f, 0.38f};          // purple
 
+}  // namespace
+
 Image markDifferences(Image picture, const Match& match) {
   CHECK(match.classes.size() == picture.pixels.size());
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -40,8 +42,6 @@ Image markDifferences(Image picture, const Match& match) {
   }
   return picture;
 }
-
-}  // namespace
 
 std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
                                          int threads, const Progress& progress) {

@@ -34,6 +34,10 @@ Match matchLevel(const FinishedLevel& finished, int width, int height, int threa
 /// The request the level asks for, at a size.
 ImageRequest makeImageRequest(const Level& level, int width, int height, int threads);
 
+/// The difference picture, from the picture of the original and a match of the same size: grey where both
+/// agree, coloured where not.
+Image markDifferences(Image original, const Match& match);
+
 /// A picture; nothing when cancelled. `match` is needed for the difference only, of the picture's size.
 std::optional<Image> makePicture(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
                                  const Match* match = nullptr, const Progress& progress = {});

@@ -159,7 +159,9 @@ MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
 SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture) {
   SceneInput scene;
   scene.surfaces.push_back(surfaceOf("sculpture", sculpture.prepared, level.sculpture.material));
-  scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
+  if (!findShapeProblem(level.optic.shape)) {
+    scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
+  }
   if (level.ground.visible) {
     scene.ground.emplace();
     scene.ground->height = level.ground.height;

@@ -60,7 +60,8 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads = 1);
 MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height);
 
-/// What the RT camera sees of the finished work: mirror, sculpture, ground; not the original.
+/// What the RT camera sees of the finished work: mirror, sculpture, ground; not the original. A broken mirror
+/// is left out.
 SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture);
 
 /// The reference: the original alone, seen directly.

@@ -1,0 +1,151 @@
+// What a ray meets first, as src/raytrace/scene_hit.cpp.
+#include "bvh.glsl"
+#include "mirror.glsl"
+
+uniform sampler2D normals;
+
+const int hitNothing = 0, hitMesh = 1, hitMirror = 2, hitGround = 3, hitMarker = 4;
+
+struct Hit {
+  int kind;
+  int index;        // of the surface or the light
+  float t;
+  vec3 point;
+  vec3 faceNormal;  // towards the ray's origin
+  vec3 normal;      // to shade with, on the same side
+  float fade;       // how much of the ground has become background
+  vec2 wire;        // as seen along the ray, scene units: distance from the triangle's edge, its least height
+};
+
+const Hit noHit = Hit(hitNothing, 0, 1e30, vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec2(1e30));
+
+vec3 unitOr(vec3 v, vec3 otherwise) {
+  float size = length(v);
+  return size > 0.0 && size < 1e30 ? v / size : otherwise;
+}
+
+struct Corners {
+  vec3 a, b, c;
+};
+
+Corners cornersOf(int surface, int triangle) {
+  uvec3 corner = texelFetch(triangles, texelPlace(2 * triangle), 0).xyz;
+  int first = surfacePlace[surface].z;
+  vec3 centre = surfaceCentre[surface].xyz;
+  return Corners(centre + texelFetch(positions, texelPlace(first + int(corner.x)), 0).xyz,
+                 centre + texelFetch(positions, texelPlace(first + int(corner.y)), 0).xyz,
+                 centre + texelFetch(positions, texelPlace(first + int(corner.z)), 0).xyz);
+}
+
+#ifdef WIRES
+// How far the point is from the line through a along `edge`, as seen along the direction.
+float seenDistance(vec3 point, vec3 a, vec3 edge, vec3 direction) {
+  vec3 side = cross(edge, direction);
+  return abs(dot(point - a, side)) / max(length(side), 1e-30);
+}
+
+vec2 seenWire(vec3 point, Corners p, vec3 direction) {
+  vec3 ab = p.b - p.a, bc = p.c - p.b, ca = p.a - p.c;
+  float nearest = min(seenDistance(point, p.a, ab, direction),
+                      min(seenDistance(point, p.b, bc, direction), seenDistance(point, p.c, ca, direction)));
+  float height = min(seenDistance(p.c, p.a, ab, direction),
+                     min(seenDistance(p.a, p.b, bc, direction), seenDistance(p.b, p.c, ca, direction)));
+  return vec2(nearest, height);
+}
+#endif
+
+// The point is taken from the triangle and not from the ray: then it lies in the triangle's plane.
+Hit meshHit(MeshHit m, Corners p, Ray ray) {
+  float u = m.uv.x, v = m.uv.y, w = 1.0 - u - v;
+  Hit hit = noHit;
+  hit.kind = hitMesh;
+  hit.index = m.surface;
+  hit.t = m.t;
+  hit.point = w * p.a + u * p.b + v * p.c;
+  uvec3 corner = texelFetch(triangles, texelPlace(2 * m.triangle + 1), 0).xyz;
+  int first = surfacePlace[m.surface].w;
+  vec3 face = unitOr(cross(p.b - p.a, p.c - p.a), -ray.direction);
+  vec3 normal = unitOr(w * texelFetch(normals, texelPlace(first + int(corner.x)), 0).xyz +
+                           u * texelFetch(normals, texelPlace(first + int(corner.y)), 0).xyz +
+                           v * texelFetch(normals, texelPlace(first + int(corner.z)), 0).xyz,
+                       face);
+  if (dot(face, ray.direction) > 0.0) face = -face;
+  if (dot(normal, face) < 0.0) normal = -normal;
+  hit.faceNormal = face;
+  hit.normal = normal;
+#ifdef WIRES
+  if ((surfaceSize[m.surface].y & hasWires) != 0) hit.wire = seenWire(hit.point, p, ray.direction);
+#endif
+  return hit;
+}
+
+// Seen from above only; nothing where it has faded away. In radii of the scene.
+bool meetGround(Ray ray, float tMax, out float t, out float fade) {
+  fade = 1.0;
+  float above = ray.origin.z - ground.x;
+  t = above / -ray.direction.z;
+  if (counts.w == 0 || !(above > 0.0) || !(ray.direction.z < 0.0) || !(t < tMax)) return false;
+  fade = smoothstep(1.2, 5.0, length(ray.origin.xy + t * ray.direction.xy) / studio.x);
+  return fade < 1.0;
+}
+
+// The ball that stands for a light, or -1.
+float meetMarker(int light, Ray ray, float tMax) {
+  vec3 w = lightPlace[light].xyz - ray.origin;
+  float along = dot(w, ray.direction);
+  vec3 side = w - along * ray.direction;
+  float inside = studio.z * studio.z - dot(side, side);
+  if (inside < 0.0) return -1.0;
+  float t = along - sqrt(inside);
+  return t > 0.0 && t < tMax ? t : -1.0;
+}
+
+// Mirror, ground and light markers: what has a formula. `hit` stays when it is nearer.
+void findPlainHit(Ray ray, inout Hit hit) {
+  float t, fade;
+  if (meetGround(ray, hit.t, t, fade)) {
+    hit = noHit;
+    hit.kind = hitGround;
+    hit.t = t;
+    hit.point = vec3(ray.origin.xy + t * ray.direction.xy, ground.x);
+    hit.faceNormal = hit.normal = vec3(0.0, 0.0, 1.0);
+    hit.fade = fade;
+  }
+  t = meetMirror(ray, hit.t);
+  if (t > 0.0) {
+    hit = noHit;
+    hit.kind = hitMirror;
+    hit.t = t;
+    hit.point = ray.origin + t * ray.direction;
+    hit.faceNormal = hit.normal = mirrorNormal(hit.point, ray.direction);
+  }
+  if (options.y == 0) return;
+  for (int i = 0; i < counts.x; ++i) {
+    t = meetMarker(i, ray, hit.t);
+    if (t < 0.0) continue;
+    hit = noHit;
+    hit.kind = hitMarker;
+    hit.index = i;
+    hit.t = t;
+    hit.point = ray.origin + t * ray.direction;
+    hit.faceNormal = hit.normal = normalize(hit.point - lightPlace[i].xyz);
+  }
+}
+
+// What a ray meets after the mirror.
+Hit findHit(Ray ray) {
+  Hit hit = noHit;
+  findPlainHit(ray, hit);
+  MeshHit mesh = noMeshHit;
+  mesh.t = hit.t;
+  if (meetSurfaces(ray, surfacesAlong(ray, inMirror, hit.t), false, mesh)) {
+    hit = meshHit(mesh, cornersOf(mesh.surface, mesh.triangle), ray);
+  }
+  return hit;
+}
+
+// Whether mirror or ground stop a ray to a light.
+bool isPlainlyBlocked(Ray ray, float tMax) {
+  float t, fade;
+  return meetMirror(ray, tMax) > 0.0 || meetGround(ray, tMax, t, fade);
+}

@@ -1,0 +1,7 @@
+// Where the selected mesh is.
+flat in uint seenTriangle;
+out vec4 mask;
+
+void main() {
+  mask = vec4(1.0);
+}

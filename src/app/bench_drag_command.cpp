@@ -1,0 +1,177 @@
+// anamorph bench-drag: how fast does everything follow the mouse? A real drag of the gizmo, of the eye and
+// then of the original, through session, pipeline and 3D view, without a display.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include "app/commands.h"
+#include "app/headless_desk.h"
+#include "base/error.h"
+#include "cli/report.h"
+#include "gl/load_gl.h"
+#include "level/level_library.h"
+#include "panels/view_panel.h"
+
+namespace anamorph {
+namespace {
+
+struct BenchOptions {
+  std::string level;
+  int frames = 240;
+  std::pair<int, int> size{1280, 800};
+};
+
+struct Statistics {
+  double median = 0, p95 = 0, max = 0;
+};
+
+Statistics statisticsOf(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * (values.size() - 1) + 0.5)];
+  };
+  return {at(0.5), at(0.95), values.back()};
+}
+
+// Stages in the order of the data, each with its milliseconds in every frame.
+struct Recording {
+  std::vector<std::string> stages;
+  std::map<std::string, std::vector<double>> values;
+
+  void add(const std::string& stage, double milliseconds) {
+    if (values.find(stage) == values.end()) stages.push_back(stage);
+    values[stage].push_back(milliseconds);
+  }
+};
+
+void record(Recording& recording, const Desk& desk, const LiveTimes& live, double gpu) {
+  const FrameTimes& t = desk.times();
+  recording.add("panels and mouse", t.panels);
+  recording.add("original", live.original);
+  recording.add("sculpture", live.sculpture);
+  recording.add("preview", live.preview);
+  recording.add("match", live.match);
+  recording.add("rays", live.rays);
+  recording.add("lines", t.input);
+  recording.add("CPU without OpenGL calls", t.panels + t.advance + t.input);
+  recording.add("OpenGL calls, view", t.view);
+  recording.add("OpenGL calls, panels", t.draw);
+  recording.add("GPU, view", gpu);
+}
+
+// Where the arrow of the x axis can be taken.
+Pixel gripOf(Desk& desk) {
+  const ShownGizmo shown = currentGizmo(desk.work(), desk.ui());
+  for (const GizmoShape& shape : shown.gizmo.shapes) {
+    if (shape.handle != GizmoHandle::x || shape.points.empty()) continue;
+    Pixel sum(0);
+    for (const Pixel& p : shape.points) sum += p;
+    const Pixel middle = sum / double(shape.points.size());
+    if (pickHandle(shown.gizmo, middle) == GizmoHandle::x) return middle;
+  }
+  throw Error("bench-drag: the view shows no handle to drag; change the level's view");
+}
+
+Recording drag(HeadlessDesk& headless, Part part, int frames) {
+  Desk& desk = headless.desk();
+  desk.work().selection = {part, 0};
+  headless.settle();
+  const Rect& view = desk.ui().layout.view;
+  const Pixel grip = gripOf(desk);
+  const auto move = [&](double offset) {
+    headless.moveMouse(view.x + static_cast<float>(grip.x + offset), view.y + static_cast<float>(grip.y));
+  };
+  move(0);
+  headless.frame();
+  headless.pressMouse(0, true);
+  headless.frame();
+  const Level before = desk.work().session.level();
+  Recording recording;
+  for (int i = 1; i <= frames; ++i) {
+    move(40 * std::sin(2 * pi * i / 80.0));
+    headless.frame();
+    glFinish();
+    record(recording, desk, desk.work().studio.liveTimes(), desk.times().gpu);
+  }
+  if (before == desk.work().session.level()) throw Error("bench-drag: the drag changed nothing");
+  headless.pressMouse(0, false);
+  headless.frame();
+  headless.moveMouse(-1e6f, -1e6f);
+  desk.work().session.undo();
+  return recording;
+}
+
+void printTable(const std::string& what, const Recording& recording) {
+  fmt::print("{:<28} {:>9} {:>9} {:>9}\n", what + ", ms", "median", "p95", "max");
+  for (const std::string& stage : recording.stages) {
+    const Statistics s = statisticsOf(recording.values.at(stage));
+    fmt::print("{:<28} {:>9.2f} {:>9.2f} {:>9.2f}\n", stage, s.median, s.p95, s.max);
+  }
+}
+
+JsonValue jsonOf(const Recording& recording) {
+  JsonObject object;
+  for (const std::string& stage : recording.stages) {
+    const Statistics s = statisticsOf(recording.values.at(stage));
+    object.add(stage, JsonObject().add("median", s.median).add("p95", s.p95).add("max", s.max).value());
+  }
+  return object.value();
+}
+
+void bench(const BenchOptions& options, const CommonOptions& common) {
+  const std::filesystem::path level = findLevel(options.level);
+  const HeadlessContext context;
+  Preferences preferences;
+  preferences.uiScale = 1;
+  HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
+  headless.desk().open(level);
+  headless.settle();
+  const Products& products = headless.desk().work().studio.products();
+  if (products.problem) throw Error(*products.problem, level.string());
+  const std::size_t vertices = products.sculpture.sculpture->mesh.positions.size();
+  const std::size_t triangles = products.sculpture.sculpture->mesh.triangles.size();
+  const Recording eye = drag(headless, Part::eye, options.frames);
+  const Recording original = drag(headless, Part::original, options.frames);
+  if (common.json) {
+    printJson(JsonObject()
+                  .add("level", level.string())
+                  .add("renderer", rendererName())
+                  .add("vertices", vertices)
+                  .add("triangles", triangles)
+                  .add("frames", static_cast<std::size_t>(options.frames))
+                  .add("dragEye", jsonOf(eye))
+                  .add("dragOriginal", jsonOf(original))
+                  .value());
+    return;
+  }
+  fmt::print("{}: {} vertices, {} triangles, {} x {} pixels, {}\n", level.string(), vertices, triangles,
+             options.size.first, options.size.second, rendererName());
+  printTable("drag the eye", eye);
+  printTable("drag the original", original);
+}
+
+}  // namespace
+
+void addBenchDragCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command =
+      app.add_subcommand("bench-drag", "Drag eye and original of a level, and time every stage");
+  const auto options = std::make_shared<BenchOptions>();
+  command->add_option("LEVEL", options->level, "A level (a file, or the name of an installed one)")
+      ->required();
+  command->add_option("--frames", options->frames, "Frames of each drag (default 240)")
+      ->check(numberFrom(10, 100000));
+  addSizeOption(*command, options->size);
+  command->add_flag("--json", common.json, "Results as a JSON object");
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { bench(*options, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,173 @@
+#include "app/desk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include "app/fonts.h"
+#include "base/error.h"
+#include "base/resources.h"
+#include "gl/load_gl.h"
+#include "panels/actions.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double textPixels = 15;  // at 100 %
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Runs and says how long it took.
+template <typename Work>
+double timed(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return millisecondsSince(start);
+}
+
+}  // namespace
+
+Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
+    : context_(ImGui::CreateContext()),
+      work_(std::make_unique<Workspace>(wake, threads)),
+      renderJob_(std::make_unique<RenderJob>(wake)),
+      software_(isSoftwareRenderer()),
+      governor_(software_) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  viewport_ = std::make_unique<Viewport>();
+  ui_.preferences = preferences;
+  ui_.levels = listLevels();
+  loadThumbnails();
+}
+
+Desk::~Desk() {
+  ImGui::SetCurrentContext(context_);
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void Desk::open(const std::filesystem::path& path) {
+  try {
+    openLevel(*work_, path);
+  } catch (const Error& error) {
+    if (work_->session.generation() == 0) throw;
+    work_->message = error.what();
+  }
+}
+
+// The pictures that the README shows, where there is one of a level's name.
+void Desk::loadThumbnails() {
+  for (const LevelEntry& entry : ui_.levels) {
+    const std::filesystem::path file = resourceFolder() / "assets" / "pictures" / (entry.name + ".png");
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) continue;
+    try {
+      thumbnails_[entry.name].show(loadPng(file), true);
+      ui_.textures.thumbnails[entry.name] = thumbnails_[entry.name].texture();
+    } catch (const Error&) {
+      // A level without its picture is still a level.
+    }
+  }
+}
+
+void Desk::refreshStyle() {
+  const Preferences& p = ui_.preferences;
+  ui_.scale = p.uiScale > 0 ? p.uiScale : screenScale_;
+  if (ui_.scale == styleScale_ && p.theme == styleTheme_ && ImGui::GetIO().Fonts->IsBuilt()) return;
+  styleScale_ = ui_.scale;
+  styleTheme_ = p.theme;
+  applyStyle(p.theme, ui_.scale);
+  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale * textScale(p.theme)));
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Desk::refreshTextures() {
+  const Previews& previews = work_->studio.products().previews;
+  const bool smooth = work_->preview.size > 0;
+  reflection_.show(previews.reflection, smooth);
+  original_.show(previews.original, smooth);
+  difference_.show(previews.difference, false);
+  render_.show(renderJob_->image(), true);
+  ui_.textures.reflection = reflection_.texture();
+  ui_.textures.original = original_.texture();
+  ui_.textures.difference = difference_.texture();
+  ui_.textures.render = render_.texture();
+}
+
+void Desk::drawView(double seconds, const ViewQuality* forced) {
+  ViewportInput input;
+  times_.input = timed([&] { input = inputMaker_.make(*work_, ui_, transparent_); });
+  const bool moving = !(input == lastInput_);
+  secondsStill_ = moving ? 0 : secondsStill_ + seconds;
+  const ViewQuality quality = forced ? *forced : governor_.next(moving, secondsStill_);
+  const auto start = std::chrono::steady_clock::now();
+  timer_.begin();
+  const bool drawn = viewport_->draw(input, quality.scale, quality.samplesNow, quality.samples);
+  timer_.end();
+  if (drawn && software_) glFinish();  // its time is the processor's
+  times_.view = millisecondsSince(start);
+  times_.gpu = timer_.result();
+  if (drawn) governor_.took(quality, software_ ? times_.view : times_.gpu);
+  if (moving) lastInput_ = std::move(input);
+  ui_.viewScale = quality.scale;
+  ui_.textures.view = {viewport_->texture(), work_->viewWidth, work_->viewHeight, true};
+}
+
+void Desk::frame(double seconds, const ViewQuality* forced) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
+  refreshStyle();
+  const auto start = std::chrono::steady_clock::now();
+  ImGui_ImplOpenGL3_NewFrame();
+  times_.panels = timed([&] {
+    ImGui::NewFrame();
+    drawPanels(*work_, ui_);
+  });
+  if (auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
+  times_.advance = timed([&] { advance(*work_, seconds); });
+  const double length = ViewInputMaker::animationSeconds(*work_);
+  if (work_->rays.animate && !work_->rays.loop && work_->animationSeconds > length) {
+    work_->animationSeconds = length;
+    work_->animationPaused = true;
+  }
+  renderJob_->update(work_->studio.products(), ui_);
+  drawView(seconds, forced);
+  refreshTextures();
+  drawViewOverlay(*work_, ui_);
+  times_.draw = timed([&] {
+    ImGui::Render();
+    glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
+               static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
+    glClearColor(0, 0, 0, transparent_ ? 0.0f : 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  });
+  ui_.frameMilliseconds = millisecondsSince(start);
+}
+
+bool Desk::unfinished() const {
+  return isMoving(*work_) || !viewport_->complete() || work_->studio.busy() || ui_.render.running;
+}
+
+void Desk::key(int key, int modifiers) {
+  ImGui::SetCurrentContext(context_);
+  if (ImGui::GetIO().WantTextInput) return;
+  handleKey(key, modifiers, *work_, ui_);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,90 @@
+// All of a window but the window: Dear ImGui, the workspace, the panels, the 3D view, drawn into whatever
+// framebuffer is bound. The real window, screenshots, the benchmark and tests run the same frame().
+//
+//   mouse, keys --> panels (edits) --> workspace advances --> 3D view --> overlay --> picture
+//                   the session        live step, in the same frame
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/image_texture.h"
+#include "app/quality.h"
+#include "app/render_job.h"
+#include "app/view_input.h"
+#include "edit/workspace.h"
+#include "gl/timer.h"
+#include "panels/ui_state.h"
+#include "viewport/viewport.h"
+
+struct ImGuiContext;
+
+namespace anamorph {
+
+/// Milliseconds of one frame on the processor, and of the view on the graphics processor.
+struct FrameTimes {
+  double panels = 0;   ///< widgets and mouse
+  double advance = 0;  ///< live step, rays, coarse preview (LiveTimes has its parts)
+  double input = 0;    ///< lines and the view's input
+  double view = 0;     ///< OpenGL calls of the 3D view, uploads included
+  double draw = 0;     ///< OpenGL calls of the panels
+  double gpu = 0;      ///< of the 3D view, the newest answer
+};
+
+class Desk {
+ public:
+  /// Needs a current OpenGL context. `wake` is called from other threads when there is something new to show.
+  explicit Desk(Preferences preferences, std::function<void()> wake = {}, int threads = 0);
+  ~Desk();
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  /// Opens a level; an Error goes to the status line, and to the caller when nothing is open yet.
+  void open(const std::filesystem::path& path);
+
+  /// One frame, `seconds` after the last. The caller has set Dear ImGui's display size and mouse, and has
+  /// bound a framebuffer of that size. Without `forced` quality it is chosen by how fast frames are.
+  void frame(double seconds, const ViewQuality* forced = nullptr);
+
+  /// Whether the next frame would differ without any input.
+  bool unfinished() const;
+  /// A key went down; ignored while text is typed.
+  void key(int key, int modifiers);
+
+  Workspace& work() { return *work_; }
+  UiState& ui() { return ui_; }
+  const FrameTimes& times() const { return times_; }
+  bool viewComplete() const { return viewport_->complete(); }
+  void setTransparent(bool transparent) { transparent_ = transparent; }
+  /// UI scale when the preferences leave it to the screen.
+  void setScreenScale(double scale) { screenScale_ = scale; }
+
+ private:
+  void refreshStyle();
+  void refreshTextures();
+  void loadThumbnails();
+  void drawView(double seconds, const ViewQuality* forced);
+
+  ImGuiContext* context_;
+  UiState ui_;
+  std::unique_ptr<Workspace> work_;
+  std::unique_ptr<Viewport> viewport_;
+  std::unique_ptr<RenderJob> renderJob_;
+  ViewInputMaker inputMaker_;
+  ViewportInput lastInput_;
+  ImageTexture reflection_, original_, difference_, render_;
+  std::map<std::string, ImageTexture> thumbnails_;
+
+  double screenScale_ = 1;
+  double styleScale_ = 0;
+  Theme styleTheme_ = Theme::dark;
+  bool transparent_ = false;
+  bool software_;
+  QualityGovernor governor_;
+  double secondsStill_ = 0;
+  GpuTimer timer_;
+  FrameTimes times_;
+};
+
+}  // namespace anamorph

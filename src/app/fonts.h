@@ -1,0 +1,12 @@
+// The window's fonts: DejaVu Sans, which has the signs of geometry, found by fontconfig. Without it Dear
+// ImGui's own pixel font serves.
+#pragma once
+
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+/// Puts the fonts into the current Dear ImGui context, `pixels` high. The caller makes the texture.
+Fonts loadFonts(double pixels);
+
+}  // namespace anamorph

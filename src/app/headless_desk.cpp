@@ -1,0 +1,118 @@
+#include "app/headless_desk.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "base/error.h"
+#include "gl/offscreen_context.h"
+#include "panels/actions.h"
+
+namespace anamorph {
+
+struct HeadlessContext::Parts {
+  std::optional<OffscreenContext> egl;
+  GLFWwindow* hidden = nullptr;
+
+  ~Parts() {
+    if (!hidden) return;
+    glfwDestroyWindow(hidden);
+    glfwTerminate();
+  }
+};
+
+HeadlessContext::HeadlessContext() : parts_(std::make_unique<Parts>()) {
+  std::string why;
+  try {
+    parts_->egl.emplace();
+    return;
+  } catch (const Error& error) {
+    why = error.what();
+  }
+  if (!glfwInit()) throw Error("no picture can be drawn here: " + why + "; and there is no display either");
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  parts_->hidden = glfwCreateWindow(64, 64, "Anamorph", nullptr, nullptr);
+  if (!parts_->hidden) {
+    glfwTerminate();
+    throw Error("no picture can be drawn here: " + why + "; and the display offers no OpenGL 3.3");
+  }
+  glfwMakeContextCurrent(parts_->hidden);
+  loadGl(glfwGetProcAddress);
+}
+
+HeadlessContext::~HeadlessContext() = default;
+
+HeadlessDesk::HeadlessDesk(int width, int height, Preferences preferences, int threads)
+    : desk_(std::make_unique<Desk>(preferences, nullptr, threads)) {
+  desk_->ui().headless = true;
+  resize(width, height);
+  moveMouse(-FLT_MAX, -FLT_MAX);
+}
+
+HeadlessDesk::~HeadlessDesk() = default;
+
+void HeadlessDesk::resize(int width, int height) {
+  framebuffer_ = Framebuffer(std::max(1, width), std::max(1, height), {TexelFormat::rgba8});
+}
+
+void HeadlessDesk::frame(double seconds, const ViewQuality* forced) {
+  ImGui::GetIO().DisplaySize = {static_cast<float>(width()), static_cast<float>(height())};
+  framebuffer_.bind();
+  desk_->frame(seconds, forced);
+  ImGui::GetIO().MouseWheel = 0;
+}
+
+void HeadlessDesk::settle() {
+  const ViewQuality best = QualityGovernor::best();
+  constexpr int layoutFrames = 4;  // Dear ImGui lays out in two, the view follows its size in one more
+  for (int calm = 0; calm < layoutFrames;) {
+    // Until the level is computed, nobody sees the pictures on the way.
+    const ViewQuality draft{0.1, 1, 1};
+    const Studio& studio = desk_->work().studio;
+    const bool computed = studio.products().complete && !studio.busy() && !isMoving(desk_->work());
+    frame(1.0 / 60, computed ? &best : &draft);
+    const bool done = computed && !desk_->unfinished();
+    calm = done ? calm + 1 : 0;
+    if (!computed) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+void HeadlessDesk::moveMouse(float x, float y) {
+  ImGui::GetIO().MousePos = {x, y};
+}
+void HeadlessDesk::pressMouse(int button, bool down) {
+  ImGui::GetIO().MouseDown[button] = down;
+}
+void HeadlessDesk::turnWheel(float steps) {
+  ImGui::GetIO().MouseWheel = steps;
+}
+void HeadlessDesk::holdModifiers(int modifiers) {
+  ImGui::GetIO().KeyCtrl = (modifiers & keys::control) != 0;
+  ImGui::GetIO().KeyShift = (modifiers & keys::shift) != 0;
+}
+
+Bitmap HeadlessDesk::readBack() const {
+  const int w = framebuffer_.width(), h = framebuffer_.height();
+  Bitmap bitmap{w, h, 4, std::vector<std::uint8_t>(std::size_t{4} * w * h)};
+  framebuffer_.bind();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  const std::size_t stride = std::size_t{4} * w;
+  for (int y = 0; y < h; ++y) {
+    glReadPixels(0, h - 1 - y, w, 1, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data() + y * stride);
+  }
+  return bitmap;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,48 @@
+// anamorph [LEVEL]: the window.
+
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "app/preferences.h"
+#include "app/window.h"
+#include "level/level_library.h"
+
+namespace anamorph {
+
+MoreCommands windowCommands() {
+  return {{addOpenCommand, addScreenshotCommand, addBenchDragCommand}, "open"};
+}
+
+void addOpenCommand(CLI::App& app, CommonOptions&) {
+  struct Options {
+    std::string level = "1-plane", theme;
+    double uiScale = 0;
+    std::pair<int, int> size{1280, 800};
+    bool fullscreen = false;
+  };
+  CLI::App* command = app.add_subcommand("open", "Open the window (also without the word: anamorph LEVEL)");
+  const auto options = std::make_shared<Options>();
+  command->add_option("LEVEL", options->level,
+                      "A level (a file, or the name of an installed one) or a thesis scene");
+  command->add_option("--theme", options->theme, "dark, light or projector")
+      ->check(CLI::IsMember({"dark", "light", "projector"}));
+  command
+      ->add_option("--ui-scale", options->uiScale,
+                   "Size of text and controls, 0.75 to 3 (default: as the screen says)")
+      ->check(numberFrom(0.75, 3));
+  addSizeOption(*command, options->size);
+  command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
+  command->callback([options] {
+    WindowOptions window;
+    window.level = findLevel(options->level);
+    window.theme = findTheme(options->theme);
+    if (options->uiScale > 0) window.uiScale = options->uiScale;
+    window.fullscreen = options->fullscreen;
+    window.width = options->size.first;
+    window.height = options->size.second;
+    runWindow(window);
+  });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,91 @@
+#include "app/preferences.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "level/json.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::array<const char*, 3> themeNames{"dark", "light", "projector"};
+
+const JsonValue* find(const JsonValue& object, const std::string& key) {
+  for (std::size_t i = 0; i < object.keys.size(); ++i) {
+    if (object.keys[i] == key) return &object.items[i];
+  }
+  return nullptr;
+}
+
+void read(const JsonValue& object, const char* key, double& value, double min, double max) {
+  const JsonValue* found = find(object, key);
+  if (found && found->kind == JsonValue::Kind::number) value = std::clamp(found->number, min, max);
+}
+
+void read(const JsonValue& object, const char* key, bool& value) {
+  const JsonValue* found = find(object, key);
+  if (found && found->kind == JsonValue::Kind::boolean) value = found->text == "true";
+}
+
+}  // namespace
+
+fs::path preferencesPath() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  const fs::path base =
+      config && *config ? fs::path(config) : fs::path(home && *home ? home : ".") / ".config";
+  return base / "anamorph" / "preferences.json";
+}
+
+Preferences loadPreferences(const fs::path& path, std::string& message) {
+  Preferences p;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return p;
+  try {
+    const JsonValue json = parseJson(readFile(path, std::size_t{1} << 20).view(), path.string());
+    if (const JsonValue* theme = find(json, "theme"); theme && theme->kind == JsonValue::Kind::string) {
+      p.theme = findTheme(theme->text).value_or(p.theme);
+    }
+    read(json, "uiScale", p.uiScale, 0, 3);
+    if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, 0.75);
+    read(json, "vrtKeys", p.vrtKeys);
+    read(json, "legend", p.legend);
+    read(json, "leftWidth", p.leftWidth, 180, 600);
+    read(json, "rightWidth", p.rightWidth, 240, 900);
+    read(json, "previewHeight", p.previewHeight, 220, 1400);
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  return p;
+}
+
+void savePreferences(const fs::path& path, const Preferences& p) {
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) throw Error("cannot make the folder: " + failure.message(), path.parent_path().string());
+  writeFile(
+      path,
+      fmt::format("{{\n  \"theme\": \"{}\",\n  \"uiScale\": {},\n  \"vrtKeys\": {},\n  \"legend\": {},\n"
+                  "  \"leftWidth\": {:.0f},\n  \"rightWidth\": {:.0f},\n  \"previewHeight\": {:.0f}\n}}\n",
+                  themeName(p.theme), p.uiScale, p.vrtKeys, p.legend, p.leftWidth, p.rightWidth,
+                  p.previewHeight));
+}
+
+const char* themeName(Theme theme) {
+  return themeNames[static_cast<std::size_t>(theme)];
+}
+
+std::optional<Theme> findTheme(const std::string& name) {
+  const auto found = std::find(themeNames.begin(), themeNames.end(), name);
+  if (found == themeNames.end()) return std::nullopt;
+  return static_cast<Theme>(found - themeNames.begin());
+}
+
+}  // namespace anamorph

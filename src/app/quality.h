@@ -1,0 +1,33 @@
+// How large and how smooth the 3D view is drawn: full size and many samples where there is time, less where
+// the processor has to draw and something moves. The window stays responsive; the fine picture comes when all
+// is still.
+#pragma once
+
+namespace anamorph {
+
+struct ViewQuality {
+  double scale = 1;    ///< of the picture's size
+  int samplesNow = 1;  ///< in this frame
+  int samples = 1;     ///< in all
+
+  bool operator==(const ViewQuality&) const = default;
+};
+
+class QualityGovernor {
+ public:
+  explicit QualityGovernor(bool software) : software_(software) {}
+
+  /// For the next frame. `moving`: the picture differs from the last one.
+  ViewQuality next(bool moving, double secondsStill);
+  /// How long the last frame's samples took, at the scale and number they were drawn with.
+  void took(const ViewQuality& quality, double milliseconds);
+
+  /// For pictures that are saved: everything.
+  static ViewQuality best() { return {1, 4, 16}; }
+
+ private:
+  bool software_;
+  double millisecondsPerSample_ = 0;  // at scale 1; 0: not known
+};
+
+}  // namespace anamorph

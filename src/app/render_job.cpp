@@ -1,0 +1,65 @@
+#include "app/render_job.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/picture.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+
+bool RenderJob::update(const Products& products, UiState& ui) {
+  RenderDialog& dialog = ui.render;
+  if (std::exchange(ui.requests.startRender, false) && products.original.mesh) start(products, dialog);
+  if (std::exchange(ui.requests.cancelRender, false)) {
+    worker_.cancel();
+    dialog.message = "Cancelled.";
+  }
+  if (std::exchange(ui.requests.saveRender, false) && image_) save(dialog.file);
+  bool changed = false;
+  if (auto image = results_->take()) {
+    image_ = std::move(*image);
+    dialog.message.clear();
+    changed = true;
+  }
+  if (auto message = messages_->take()) {
+    dialog.message = std::move(*message);
+    changed = true;
+  }
+  if (auto failure = worker_.takeFailure()) {
+    dialog.message = std::move(*failure);
+    changed = true;
+  }
+  const bool running = worker_.busy();
+  changed |= running != dialog.running;
+  dialog.running = running;
+  dialog.share = worker_.share();
+  return changed;
+}
+
+// Refined for the picture's own size first, as `anamorph render` does.
+void RenderJob::start(const Products& products, const RenderDialog& dialog) {
+  Level level = products.level;
+  const auto [width, height] = pictureSize(level.camera, dialog.longerSide);
+  level.sculpture.imageSize = std::max(level.sculpture.imageSize, height);
+  level.tracing.samplesPerAxis = dialog.samplesPerAxis;
+  const ImageRequest request = makeImageRequest(level, width, height, 0);
+  worker_.request(
+      [level, request, mesh = products.original.mesh, results = results_](const Progress& progress) {
+        const auto finished = finishLevel(level, mesh, 0, {{}, progress.token});
+        if (!finished) return;
+        auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);
+        if (image) results->put(std::make_shared<const Image>(std::move(*image)));
+      });
+}
+
+void RenderJob::save(const std::string& file) {
+  worker_.request([file, image = image_, messages = messages_](const Progress&) {
+    savePng(file, *image);
+    messages->put(fmt::format("{}: {} x {} pixels", file, image->width, image->height));
+  });
+}
+
+}  // namespace anamorph

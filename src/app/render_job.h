@@ -1,0 +1,37 @@
+// The high-resolution picture: rendered and saved by a worker of its own, so that the window goes on and a
+// drag does not cancel it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "edit/studio.h"
+#include "panels/ui_state.h"
+#include "pipeline/worker.h"
+
+namespace anamorph {
+
+class RenderJob {
+ public:
+  explicit RenderJob(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+  /// Starts, cancels and saves as the dialog asks, and tells it how far things are. Returns whether what the
+  /// dialog shows has changed.
+  bool update(const Products& products, UiState& ui);
+
+  /// The last finished picture; null before the first.
+  const std::shared_ptr<const Image>& image() const { return image_; }
+
+ private:
+  void start(const Products& products, const RenderDialog& dialog);
+  void save(const std::string& file);
+
+  std::shared_ptr<const Image> image_;
+  std::shared_ptr<Mailbox<std::shared_ptr<const Image>>> results_ =
+      std::make_shared<Mailbox<std::shared_ptr<const Image>>>();
+  std::shared_ptr<Mailbox<std::string>> messages_ = std::make_shared<Mailbox<std::string>>();
+  Worker worker_;  // last: its jobs use the mailboxes
+};
+
+}  // namespace anamorph

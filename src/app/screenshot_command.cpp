@@ -1,0 +1,152 @@
+// anamorph screenshot: one settled frame of the window, without a window.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/headless_desk.h"
+#include "app/preferences.h"
+#include "base/error.h"
+#include "cli/input.h"
+#include "cli/usage_error.h"
+#include "level/level_library.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+struct ScreenshotOptions {
+  std::string level, output, theme = "dark", select, pixel, tab;
+  std::pair<int, int> size{1280, 800};
+  double uiScale = 1, morph = 1;
+  bool noPanels = false, transparent = false, lookThrough = false;
+  std::optional<std::uint32_t> vertex;
+};
+
+// "X,Y" to a cell of the pixel grid.
+GridCell parseCell(const std::string& text, const Camera& camera) {
+  GridCell cell;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%d,%d%c", &cell.column, &cell.row, &rest) != 2 || cell.column < 0 ||
+      cell.row < 0 || cell.column >= camera.gridColumns || cell.row >= camera.gridRows) {
+    throw UsageError(fmt::format("--pixel: expected COLUMN,ROW within the pixel grid of {} x {}, got {}",
+                                 camera.gridColumns, camera.gridRows, text));
+  }
+  return cell;
+}
+
+void pickVertex(Workspace& work, std::uint32_t vertex) {
+  const Products& products = work.studio.products();
+  if (!products.original.mesh) return;
+  const Mesh& mesh = *products.original.mesh;
+  work.point = pickedVertex(mesh, vertex);
+  if (!work.point) {
+    throw UsageError(fmt::format("--select-vertex: expected one of the original's vertices, 0 to {}, got {}",
+                                 mesh.positions.size() - 1, vertex));
+  }
+  work.selection = {Part::sculpture, 0};
+}
+
+void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
+  static const std::map<std::string, Part> parts{{"eye", Part::eye},
+                                                 {"original", Part::original},
+                                                 {"mirror", Part::mirror},
+                                                 {"sculpture", Part::sculpture}};
+  static const std::map<std::string, PreviewTab> tabs{{"reflection", PreviewTab::reflection},
+                                                      {"original", PreviewTab::original},
+                                                      {"difference", PreviewTab::difference},
+                                                      {"wipe", PreviewTab::wipe}};
+  if (!options.select.empty()) work.selection = {parts.at(options.select), 0};
+  if (!options.tab.empty()) work.preview.tab = tabs.at(options.tab);
+  if (!options.pixel.empty()) work.cell = parseCell(options.pixel, work.session.level().camera);
+  work.display.morph = options.morph;
+  ui.panelsHidden = options.noPanels;
+  if (options.lookThrough) toggleLookThrough(work);
+}
+
+// The picture was drawn over nothing: colours have been multiplied by alpha.
+void divideByAlpha(Bitmap& bitmap) {
+  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
+    const int alpha = bitmap.bytes[i + 3];
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
+      bitmap.bytes[i + c] =
+          static_cast<std::uint8_t>(std::min(255, (bitmap.bytes[i + c] * 255 + alpha / 2) / alpha));
+    }
+  }
+}
+
+Bitmap withoutAlpha(const Bitmap& bitmap) {
+  Bitmap opaque{bitmap.width, bitmap.height, 3, {}};
+  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
+    opaque.bytes.insert(opaque.bytes.end(), bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                        bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i + 3));
+  }
+  return opaque;
+}
+
+void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
+  if (!options.output.ends_with(".png")) {
+    throw UsageError(options.output + ": expected an output file that ends in .png");
+  }
+  checkOutput(options.output);
+  const std::filesystem::path level = findLevel(options.level);
+  const HeadlessContext context;
+  Preferences preferences;
+  preferences.theme = findTheme(options.theme).value_or(Theme::dark);
+  preferences.uiScale = options.uiScale;
+  HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
+  Desk& desk = headless.desk();
+  desk.open(level);
+  desk.setTransparent(options.transparent);
+  arrange(desk.work(), desk.ui(), options);
+  headless.settle();
+  if (options.vertex) {
+    pickVertex(desk.work(), *options.vertex);
+    headless.settle();
+  }
+  if (const auto& problem = desk.work().studio.products().problem) sayMessage(common, *problem);
+  Bitmap bitmap = headless.readBack();
+  if (options.transparent) divideByAlpha(bitmap);
+  savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap));
+  sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, bitmap.width, bitmap.height));
+}
+
+}  // namespace
+
+void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command =
+      app.add_subcommand("screenshot", "Draw what the window shows, without a display, as PNG");
+  const auto options = std::make_shared<ScreenshotOptions>();
+  command
+      ->add_option("FILE", options->level,
+                   "A level (a file, or the name of an installed one) or a thesis scene")
+      ->required();
+  command->add_option("-o,--output", options->output, "The PNG file to write")->required();
+  addSizeOption(*command, options->size);
+  command->add_option("--ui-scale", options->uiScale, "Size of text and controls, 0.75 to 3 (default 1)")
+      ->check(numberFrom(0.75, 3));
+  command->add_option("--theme", options->theme, "dark, light or projector (default dark)")
+      ->check(CLI::IsMember({"dark", "light", "projector"}));
+  command->add_flag("--no-panels", options->noPanels, "Only the 3D view");
+  command->add_flag("--transparent", options->transparent, "No background and no ground: transparent there");
+  command->add_flag("--look-through", options->lookThrough, "Seen through the RT camera");
+  command->add_option("--select", options->select, "eye, original, mirror or sculpture")
+      ->check(CLI::IsMember({"eye", "original", "mirror", "sculpture"}));
+  command->add_option("--pixel", options->pixel,
+                      "COLUMN,ROW of the pixel grid whose rays are shown, from 0,0 on top");
+  command->add_option("--select-vertex", options->vertex,
+                      "The original's vertex whose construction is shown");
+  command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
+      ->check(CLI::IsMember({"reflection", "original", "difference", "wipe"}));
+  command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
+      ->check(numberFrom(0, 1));
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { screenshot(*options, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,24 @@
+// From the workspace to what the 3D view draws: a value, made anew every frame and compared.
+#pragma once
+
+#include "edit/workspace.h"
+#include "panels/ui_state.h"
+#include "viewport/viewport.h"
+
+namespace anamorph {
+
+class ViewInputMaker {
+ public:
+  ViewportInput make(Workspace& work, const UiState& ui, bool transparent);
+
+  /// Seconds that the rays' animation takes from start to end; 0 when nothing is animated.
+  static double animationSeconds(const Workspace& work);
+
+ private:
+  std::shared_ptr<const std::vector<Line>> lines_;  // the last ones: the same lines keep their pointer
+};
+
+/// All lines of the view: rays, RT camera, construction.
+std::vector<Line> makeLines(const Workspace& work, const UiState& ui);
+
+}  // namespace anamorph

@@ -1,0 +1,303 @@
+#include "app/window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include "app/desk.h"
+#include "app/preferences.h"
+#include "base/error.h"
+#include "gl/load_gl.h"
+#include "panels/actions.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+static_assert(keys::escape == GLFW_KEY_ESCAPE && keys::tab == GLFW_KEY_TAB && keys::home == GLFW_KEY_HOME &&
+              keys::pageUp == GLFW_KEY_PAGE_UP && keys::pageDown == GLFW_KEY_PAGE_DOWN &&
+              keys::f1 == GLFW_KEY_F1 && keys::f12 == GLFW_KEY_F12 && keys::pad0 == GLFW_KEY_KP_0 &&
+              keys::space == GLFW_KEY_SPACE && keys::shift == GLFW_MOD_SHIFT &&
+              keys::control == GLFW_MOD_CONTROL);
+
+constexpr double livelySeconds = 0.8;  // after an event: tooltips appear, hover colours change
+constexpr double livelyStep = 1.0 / 30;
+
+std::string lastGlfwError() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "no reason given";
+}
+
+struct GlfwDeleter {
+  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, GlfwDeleter>;
+
+// Begins and ends GLFW.
+struct Glfw {
+  Glfw() {
+    if (!glfwInit()) {
+      throw Error(
+          "cannot open a window: " + lastGlfwError() +
+          ". Without a display, `anamorph screenshot LEVEL -o OUT.png` draws what the window shows, and "
+          "`anamorph levels -o FOLDER` renders all levels");
+    }
+  }
+  ~Glfw() { glfwTerminate(); }
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+};
+
+// What the machine has instead of OpenGL 3.3.
+std::string versionFound() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  const WindowHandle probe(glfwCreateWindow(64, 64, "probe", nullptr, nullptr));
+  if (!probe) return "no OpenGL at all";
+  glfwMakeContextCurrent(probe.get());
+  using GetString = const unsigned char* (*)(unsigned);
+  const auto getString = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
+  const unsigned char* version = getString ? getString(GL_VERSION) : nullptr;
+  return version ? "OpenGL " + std::string(reinterpret_cast<const char*>(version))
+                 : "an OpenGL that does not say";
+}
+
+WindowHandle makeWindow(const WindowOptions& options) {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  WindowHandle window(glfwCreateWindow(options.width, options.height, "Anamorph", nullptr, nullptr));
+  if (!window) {
+    const std::string why = lastGlfwError();
+    throw Error("Anamorph needs OpenGL 3.3; this machine offers " + versionFound() + " (" + why + ")");
+  }
+  glfwSetWindowSizeLimits(window.get(), 320, 200, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  return window;
+}
+
+// Where F12 puts its pictures: beside the user's other pictures, never over an older one.
+std::filesystem::path freshScreenshotPath() {
+  namespace fs = std::filesystem;
+  const char* home = std::getenv("HOME");
+  std::error_code ignored;
+  fs::path folder = home && *home ? fs::path(home) : fs::current_path(ignored);
+  if (fs::is_directory(folder / "Pictures", ignored)) folder /= "Pictures";
+  for (int i = 1;; ++i) {
+    fs::path path = folder / fmt::format("anamorph-{:03}.png", i);
+    if (!fs::exists(path, ignored)) return path;
+  }
+}
+
+class MainWindow {
+ public:
+  MainWindow(const WindowOptions& options, Preferences preferences)
+      : handle_(makeWindow(options)), saved_(preferences) {
+    glfwMakeContextCurrent(handle_.get());
+    loadGl(glfwGetProcAddress);
+    glfwSwapInterval(1);
+    desk_ = std::make_unique<Desk>(preferences, [] { glfwPostEmptyEvent(); });
+    ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
+    installCallbacks();
+    desk_->open(options.level);
+    if (options.fullscreen) toggleFullscreen();
+  }
+  ~MainWindow() {
+    ImGui_ImplGlfw_Shutdown();
+    desk_.reset();  // while the context lives
+  }
+  MainWindow(const MainWindow&) = delete;
+  MainWindow& operator=(const MainWindow&) = delete;
+
+  void run() {
+    while (!glfwWindowShouldClose(handle_.get())) {
+      waitForWork();
+      int width = 0, height = 0;
+      glfwGetFramebufferSize(handle_.get(), &width, &height);
+      if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
+        glfwWaitEvents();
+        continue;
+      }
+      drawFrame();
+    }
+    keepPreferences();
+  }
+
+  const Preferences& preferences() { return desk_->ui().preferences; }
+
+ private:
+  // Events come at once; without any the next frame is drawn when something is unfinished or due.
+  void waitForWork() {
+    const double now = glfwGetTime();
+    if (desk_->unfinished()) {
+      const bool onlyWorker =
+          desk_->viewComplete() && !isMoving(desk_->work()) && now - lastEvent_ > livelySeconds;
+      if (!onlyWorker) return glfwPollEvents();
+      return glfwWaitEventsTimeout(desk_->work().studio.secondsUntilDue().value_or(0.1) + 0.01);
+    }
+    if (framesOwed_ > 0) {
+      --framesOwed_;
+      return glfwPollEvents();
+    }
+    if (now - lastEvent_ < livelySeconds) return glfwWaitEventsTimeout(livelyStep);
+    glfwWaitEvents();
+  }
+
+  void drawFrame() {
+    const double now = glfwGetTime(), seconds = std::clamp(now - lastFrame_, 1e-4, 0.1);
+    lastFrame_ = now;
+    float scaleX = 1, scaleY = 1;
+    glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
+    desk_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
+    ImGui_ImplGlfw_NewFrame();
+    desk_->frame(seconds);
+    glfwSwapBuffers(handle_.get());
+    serveRequests();
+    showTitle();
+  }
+
+  void serveRequests() {
+    UiRequests& requests = desk_->ui().requests;
+    if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
+    if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
+    if (std::exchange(requests.screenshot, false)) takeScreenshot();
+    if (!(desk_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
+  }
+
+  void keepPreferences() {
+    if (desk_->ui().preferences == saved_) return;
+    saved_ = desk_->ui().preferences;
+    try {
+      savePreferences(preferencesPath(), saved_);
+    } catch (const Error& error) {
+      desk_->work().message = error.what();
+    }
+  }
+
+  void takeScreenshot() {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(handle_.get(), &width, &height);
+    Bitmap bitmap{width, height, 3, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadBuffer(GL_FRONT);
+    std::vector<std::uint8_t> rows(bitmap.bytes.size());
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
+    const std::size_t stride = std::size_t{3} * width;
+    for (int y = 0; y < height; ++y) {
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y * stride), stride,
+                  bitmap.bytes.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * stride));
+    }
+    try {
+      const std::filesystem::path path = freshScreenshotPath();
+      savePng(path, bitmap);
+      desk_->work().message = "Screenshot saved: " + path.string();
+    } catch (const Error& error) {
+      desk_->work().message = error.what();
+    }
+    wakeUp();
+  }
+
+  void toggleFullscreen() {
+    GLFWwindow* window = handle_.get();
+    if (glfwGetWindowMonitor(window)) {
+      glfwSetWindowMonitor(window, nullptr, place_[0], place_[1], place_[2], place_[3], GLFW_DONT_CARE);
+      return;
+    }
+    glfwGetWindowPos(window, &place_[0], &place_[1]);
+    glfwGetWindowSize(window, &place_[2], &place_[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
+
+  void showTitle() {
+    const Level& level = desk_->work().session.level();
+    const std::string name =
+        level.title.empty() ? desk_->work().session.path().filename().string() : level.title;
+    const std::string title = name + (desk_->work().session.modified() ? " * - Anamorph" : " - Anamorph");
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(handle_.get(), title.c_str());
+  }
+
+  void wakeUp() {
+    lastEvent_ = glfwGetTime();
+    framesOwed_ = 3;  // Dear ImGui lays out in two
+  }
+
+  static MainWindow& of(GLFWwindow* window) {
+    return *static_cast<MainWindow*>(glfwGetWindowUserPointer(window));
+  }
+
+  void installCallbacks() {
+    GLFWwindow* window = handle_.get();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int modifiers) {
+      ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
+      MainWindow& self = of(w);
+      self.wakeUp();
+      if (action == GLFW_PRESS || action == GLFW_REPEAT) {
+        self.desk_->key(key, modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER));
+      }
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+      ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+      of(w).wakeUp();
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+      ImGui_ImplGlfw_ScrollCallback(w, x, y);
+      of(w).wakeUp();
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) {
+      ImGui_ImplGlfw_CharCallback(w, c);
+      of(w).wakeUp();
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).wakeUp(); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+      ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+      of(w).wakeUp();
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+      ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+      of(w).wakeUp();
+    });
+    glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).wakeUp(); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).wakeUp(); });
+  }
+
+  WindowHandle handle_;
+  Preferences saved_;
+  std::unique_ptr<Desk> desk_;
+  std::string title_;
+  int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
+  double lastFrame_ = 0, lastEvent_ = 0;
+  int framesOwed_ = 3;
+};
+
+}  // namespace
+
+void runWindow(const WindowOptions& options) {
+  const Glfw glfw;
+  std::string message;
+  Preferences preferences = loadPreferences(preferencesPath(), message);
+  if (options.theme) preferences.theme = *options.theme;
+  if (options.uiScale) preferences.uiScale = *options.uiScale;
+  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  MainWindow(options, preferences).run();
+}
+
+}  // namespace anamorph

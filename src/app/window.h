@@ -1,0 +1,23 @@
+// The window of the system: GLFW, its events, and the loop that draws when there is something to draw and
+// sleeps otherwise.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+struct WindowOptions {
+  std::filesystem::path level;
+  std::optional<Theme> theme;
+  std::optional<double> uiScale;
+  bool fullscreen = false;
+  int width = 1280, height = 800;
+};
+
+/// Opens the window and returns when it is closed. Throws Error when there is no display or no OpenGL 3.3.
+void runWindow(const WindowOptions& options);
+
+}  // namespace anamorph

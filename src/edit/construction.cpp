@@ -1,0 +1,158 @@
+#include "edit/construction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+namespace {
+
+using Kind = ConstructionSegment::Kind;
+
+constexpr int arcSegments = 24;
+
+std::string pointText(const Point& p) {
+  return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
+}
+std::string directionText(const Direction& d) {
+  return fmt::format("({:.3f}, {:.3f}, {:.3f})", d.x, d.y, d.z);
+}
+std::string angleText(double angleDegrees) {
+  return fmt::format("{:.1f}°", angleDegrees);
+}
+
+// From direction `from` to `to` (unit), turned at an even speed in their plane.
+Direction turned(const Direction& from, const Direction& to, double share) {
+  const double angle = std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
+  const Vector side = to - glm::dot(to, from) * from;
+  const double sine = glm::length(side);
+  if (!(sine > 1e-12)) return from;
+  return std::cos(share * angle) * from + (std::sin(share * angle) / sine) * side;
+}
+
+ConstructionArc makeArc(const Point& centre, double radius, const Direction& from, const Direction& to,
+                        const std::string& text) {
+  ConstructionArc arc;
+  for (int i = 0; i <= arcSegments; ++i) {
+    arc.points.push_back(centre + radius * turned(from, to, double(i) / arcSegments));
+  }
+  arc.label = {centre + 1.25 * radius * turned(from, to, 0.5), text};
+  return arc;
+}
+
+// Long enough to be seen, short enough to stay near Q.
+double normalLength(double toEye, double reach) {
+  return std::max(std::min(0.3 * toEye, 0.8 * reach), 0.08 * toEye);
+}
+
+// How far a reflected ray goes that meets the mirror again.
+double freeWay(const Optic& optic, const VertexRay& ray, double wanted) {
+  const Vector towards = ray.original - ray.eye;
+  const double way = freeLength(optic, followRay(optic, {ray.eye, towards})) * glm::length(towards);
+  return std::isfinite(way) ? std::min(way, wanted) : wanted;
+}
+
+void addReflection(Construction& made, const Optic& optic, double depthScale) {
+  const VertexRay& ray = made.ray;
+  const bool mapped = ray.status == PathStatus::mapped;
+  const double reach = mapped ? depthScale * ray.distance : freeWay(optic, ray, depthScale * ray.distance);
+  const Point end = mapped ? ray.sculpture : ray.mirror + reach * ray.reflected;
+  made.segments.push_back({ray.mirror, ray.original, Kind::virtualRay});
+  made.segments.push_back({ray.mirror, end, Kind::reflected});
+  made.distances.push_back({0.5 * (ray.mirror + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  if (!mapped) return;
+  made.points.push_back({ray.sculpture, "S"});
+  made.distances.push_back(
+      {0.5 * (ray.mirror + end), fmt::format("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
+}
+
+void addMirrorPoint(Construction& made, const Optic& optic, double depthScale) {
+  const VertexRay& ray = made.ray;
+  const Vector back = ray.eye - ray.mirror;
+  const double toEye = glm::length(back);
+  const double length = normalLength(toEye, depthScale * ray.distance);
+  made.segments.push_back({ray.eye, ray.mirror, Kind::incident});
+  made.segments.push_back({ray.mirror, ray.mirror + length * ray.normal, Kind::normal});
+  made.points.push_back({ray.mirror, "Q"});
+  made.points.push_back({ray.mirror + length * ray.normal, "N"});
+  if (ray.status == PathStatus::inFrontOfMirror) return;  // the ray ends at P, before it is reflected
+  const std::string text = "α = " + angleText(ray.angleDegrees);
+  if (toEye > 0) made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, back / toEye, ray.normal, text));
+  made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, ray.normal, ray.reflected, text));
+  addReflection(made, optic, depthScale);
+}
+
+void addRows(Construction& made, bool meetsMirror, double depthScale) {
+  const VertexRay& ray = made.ray;
+  const auto add = [&](const char* name, std::string value) {
+    made.rows.push_back({name, std::move(value)});
+  };
+  const auto addLength = [&](const char* name, double length) { add(name, fmt::format("{:.3f}", length)); };
+  add("E  eye", pointText(ray.eye));
+  add("P  original vertex", pointText(ray.original));
+  if (meetsMirror) {
+    add("Q  mirror point", pointText(ray.mirror));
+    add("N  normal at Q", directionText(ray.normal));
+  }
+  if (meetsMirror && ray.status != PathStatus::inFrontOfMirror) {
+    add("α  to the normal, both", angleText(ray.angleDegrees));
+    add("R  reflected direction", directionText(ray.reflected));
+    addLength("d = |PQ|", ray.distance);
+    addLength("k  depth scale", depthScale);
+  }
+  if (ray.status == PathStatus::mapped) {
+    addLength("k·d = |QS|", depthScale * ray.distance);
+    add("S = Q + k·d R", pointText(ray.sculpture));
+  }
+}
+
+}  // namespace
+
+Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original,
+                              double depthScale) {
+  Construction made;
+  made.ray = makeVertexRay(optic, eye, original, depthScale);
+  const VertexRay& ray = made.ray;
+  const bool meetsMirror = lengthSquared(ray.normal) > 0.5 && isFinite(ray.mirror) && isFinite(ray.reflected);
+  made.points = {{eye, "E"}, {original, "P"}};
+  if (meetsMirror) {
+    addMirrorPoint(made, optic, depthScale);
+  } else {
+    made.segments.push_back({eye, original, Kind::incident});
+  }
+  addRows(made, meetsMirror, depthScale);
+  made.explanation = explainStatus(ray.status);
+  return made;
+}
+
+Construction makeConstruction(const Level& level, const Point& original) {
+  return makeConstruction(level.optic, level.camera.eye, original, level.sculpture.depthScale);
+}
+
+std::string explainStatus(PathStatus status) {
+  switch (status) {
+    case PathStatus::mapped:
+      break;
+    case PathStatus::missesMirror:
+      return "The ray from the eye through this vertex never meets the mirror, so the eye cannot see it "
+             "there. Make "
+             "the mirror larger, or move the original to where the eye sees the mirror in front of it.";
+    case PathStatus::inFrontOfMirror:
+      return "The ray reaches this vertex before it reaches the mirror, so there is nothing to reflect. Move "
+             "the "
+             "original behind the mirror, away from the eye.";
+    case PathStatus::grazing:
+      return "The ray only grazes the mirror, at less than one degree, where the reflection is not to be "
+             "trusted. Move "
+             "the original towards the middle of the mirror.";
+    case PathStatus::hitsMirrorAgain:
+      return "The reflected ray meets the mirror a second time before it reaches the sculpture. Use the "
+             "outside of the "
+             "mirror, or a smaller depth scale.";
+  }
+  return {};
+}
+
+}  // namespace anamorph

@@ -1,0 +1,346 @@
+#include "edit/level_edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace anamorph {
+namespace {
+
+// Those of level/level_fields.h.
+constexpr double maxCoordinate = 1e6, maxLength = 1e6;
+constexpr double minDepthScale = 0.01, maxDepthScale = 100;
+
+using Axes = std::array<Direction, 3>;
+const Axes sceneAxes = GizmoFrame{}.axes;
+
+bool isLight(const Level& level, const Selection& selection) {
+  return selection.part == Part::light && selection.index >= 0 &&
+         static_cast<std::size_t>(selection.index) < level.lights.size();
+}
+
+// Rotation about an axis (Rodrigues' formula).
+glm::dmat3 turnAbout(const Direction& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  glm::dmat3 m;
+  for (int i = 0; i < 3; ++i) {
+    const Vector e = sceneAxes[static_cast<std::size_t>(i)];
+    m[i] = c * e + s * glm::cross(axis, e) + (1 - c) * glm::dot(axis, e) * axis;
+  }
+  return m;
+}
+
+bool areAxes(const Axes& axes) {
+  return std::all_of(axes.begin(), axes.end(),
+                     [](const Direction& d) { return std::abs(glm::length(d) - 1) < 1e-9; });
+}
+
+// ---- The mirror: its middle, axes and points
+// -----------------------------------------------------------------------
+
+Point middleOf(const PlaneMirror& plane) {
+  const auto& v = plane.corners;
+  return 0.25 * (v[0] + v[1] + v[2] + v[3]);
+}
+Point middleOf(const CylinderMirror& cylinder) {
+  return 0.5 * (cylinder.bottom + cylinder.top);
+}
+Point middleOf(const SphereMirror& sphere) {
+  return sphere.centre;
+}
+
+// x along the first edge, y through the mirror, z up its side: the scene's axes for an upright mirror.
+Axes axesOf(const PlaneMirror& plane) {
+  const Direction y = -planeNormal(plane);
+  const Vector edge = plane.corners[1] - plane.corners[0];
+  const Direction x = glm::normalize(edge - glm::dot(edge, y) * y);
+  return {x, y, glm::cross(x, y)};
+}
+
+// The scene's axes turned by the shortest way that brings z to the cylinder's axis.
+Axes axesOf(const CylinderMirror& cylinder) {
+  const Direction a = glm::normalize(cylinder.top - cylinder.bottom);
+  if (a.z < -1 + 1e-12) return {Direction(1, 0, 0), Direction(0, -1, 0), Direction(0, 0, -1)};
+  const double f = 1 / (1 + a.z);
+  const Direction x = glm::normalize(Vector(1 - f * a.x * a.x, -f * a.x * a.y, -a.x));
+  return {x, glm::cross(a, x), a};
+}
+Axes axesOf(const SphereMirror&) {
+  return sceneAxes;
+}
+
+template <typename Map>
+void mapMirror(PlaneMirror& plane, const Map& map) {
+  for (Point& corner : plane.corners) corner = clampedPoint(map(corner));
+}
+template <typename Map>
+void mapMirror(CylinderMirror& cylinder, const Map& map) {
+  cylinder.bottom = clampedPoint(map(cylinder.bottom));
+  cylinder.top = clampedPoint(map(cylinder.top));
+}
+template <typename Map>
+void mapMirror(SphereMirror& sphere, const Map& map) {
+  sphere.centre = clampedPoint(map(sphere.centre));
+}
+
+// Of two factors for one size, the one that is meant.
+double strongest(double a, double b) {
+  return std::abs(b - 1) > std::abs(a - 1) ? b : a;
+}
+
+double scaledLength(double length, double factor) {
+  return std::min(length * factor, maxLength);
+}
+
+void scaleSize(PlaneMirror&, const Vector&) {}
+void scaleSize(CylinderMirror& cylinder, const Vector& factors) {
+  cylinder.radius = scaledLength(cylinder.radius, strongest(factors.x, factors.y));
+}
+void scaleSize(SphereMirror& sphere, const Vector& factors) {
+  sphere.radius = scaledLength(sphere.radius, factors.x);
+}
+
+Box mirrorBox(const MirrorShape& shape) {
+  Box box;
+  const auto extend = [&](const Point& p, const Vector& r) {
+    box.extend(p - r);
+    box.extend(p + r);
+  };
+  if (const auto* plane = std::get_if<PlaneMirror>(&shape)) {
+    for (const Point& corner : plane->corners) box.extend(corner);
+  } else if (const auto* cylinder = std::get_if<CylinderMirror>(&shape)) {
+    const Vector a = axesOf(*cylinder)[2];
+    const Vector across = cylinder->radius * glm::sqrt(glm::max(1.0 - a * a, Vector(0)));
+    extend(cylinder->bottom, isFinite(across) ? across : Vector(cylinder->radius));
+    extend(cylinder->top, isFinite(across) ? across : Vector(cylinder->radius));
+  } else {
+    const auto& sphere = std::get<SphereMirror>(shape);
+    extend(sphere.centre, Vector(sphere.radius));
+  }
+  return box;
+}
+
+// ---- Any selection
+// --------------------------------------------------------------------------------------------------
+
+// x to the right of the image, y ahead, z up.
+Axes axesOf(const Camera& camera) {
+  const Frame frame = Projection(camera, 1, 1).frame();
+  return {frame.right, frame.forward, frame.up};
+}
+
+Axes ownAxes(const Level& level, const Selection& selection) {
+  Axes axes = sceneAxes;
+  if (selection.part == Part::eye || selection.part == Part::aim) axes = axesOf(level.camera);
+  if (selection.part == Part::mirror) {
+    axes = std::visit([](const auto& shape) { return axesOf(shape); }, level.optic.shape);
+  }
+  if (selection.part == Part::original) {
+    const glm::dmat3 m = rotationMatrix(level.original.placement.rotationDegrees);
+    axes = {m[0], m[1], m[2]};
+  }
+  return areAxes(axes) ? axes : sceneAxes;  // a mirror without area has none
+}
+
+// A placed mesh turns about its position when that is inside it, else about its middle.
+Point pivotOf(const Placement& placement, const Box& box) {
+  if (box.empty()) return placement.position;
+  const Vector gap = glm::max(box.min - placement.position, placement.position - box.max);
+  const double outside = std::max({gap.x, gap.y, gap.z});
+  return outside > 0.1 * box.diagonal() ? box.centre() : placement.position;
+}
+
+Point originOf(const Level& level, const Selection& selection, const Box& originalBox,
+               const Box& sculptureBox) {
+  switch (selection.part) {
+    case Part::none:
+      break;
+    case Part::eye:
+      return level.camera.eye;
+    case Part::aim:
+      return level.camera.target;
+    case Part::original:
+      return pivotOf(level.original.placement, originalBox);
+    case Part::mirror:
+      return std::visit([](const auto& shape) { return middleOf(shape); }, level.optic.shape);
+    case Part::sculpture:
+      return sculptureBox.centre();
+    case Part::light:
+      return level.lights[static_cast<std::size_t>(selection.index)].position;
+  }
+  return Point(0);
+}
+
+// Calls change(point) for every point that the selection is made of.
+template <typename Change>
+void changePoints(Level& level, const Selection& selection, const Change& change) {
+  switch (selection.part) {
+    case Part::none:
+    case Part::sculpture:
+      return;
+    case Part::eye:
+      return change(level.camera.eye);
+    case Part::aim:
+      return change(level.camera.target);
+    case Part::original:
+      return change(level.original.placement.position);
+    case Part::mirror: {
+      const auto each = [&](Point p) {
+        change(p);
+        return p;
+      };
+      return std::visit([&](auto& shape) { mapMirror(shape, each); }, level.optic.shape);
+    }
+    case Part::light:
+      return change(level.lights[static_cast<std::size_t>(selection.index)].position);
+  }
+}
+
+}  // namespace
+
+Point clampedPoint(const Point& point) {
+  return glm::clamp(point, Point(-maxCoordinate), Point(maxCoordinate));
+}
+
+bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
+  switch (selection.part) {
+    case Part::none:
+      return false;
+    case Part::eye:
+      return mode != GizmoMode::scale;
+    case Part::aim:
+      return mode == GizmoMode::move;
+    case Part::original:
+      return true;
+    case Part::mirror:
+      return mode != GizmoMode::rotate || !std::holds_alternative<SphereMirror>(level.optic.shape);
+    case Part::sculpture:
+      return mode == GizmoMode::scale;
+    case Part::light:
+      return mode == GizmoMode::move && isLight(level, selection);
+  }
+  return false;
+}
+
+bool scalesUniformly(const Level& level, const Selection& selection) {
+  return selection.part == Part::sculpture ||
+         (selection.part == Part::mirror && std::holds_alternative<SphereMirror>(level.optic.shape));
+}
+
+std::optional<GizmoFrame> frameOf(const Level& level, const Selection& selection, GizmoMode mode, bool local,
+                                  const Box& originalBox, const Box& sculptureBox) {
+  if (!allows(level, selection, mode)) return std::nullopt;
+  if (selection.part == Part::sculpture && sculptureBox.empty()) return std::nullopt;
+  GizmoFrame frame;
+  frame.origin = originOf(level, selection, originalBox, sculptureBox);
+  if (!isFinite(frame.origin)) return std::nullopt;
+  if (local || mode == GizmoMode::scale) frame.axes = ownAxes(level, selection);
+  return frame;
+}
+
+Box boxOf(const Level& level, const Selection& selection, const Box& originalBox, const Box& sculptureBox) {
+  if (selection.part == Part::original) return originalBox;
+  if (selection.part == Part::sculpture) return sculptureBox;
+  if (selection.part == Part::mirror) return mirrorBox(level.optic.shape);
+  Box box;
+  if (!allows(level, selection, GizmoMode::move)) return box;
+  const Point point = originOf(level, selection, originalBox, sculptureBox);
+  box.extend(point - Vector(0.5));
+  box.extend(point + Vector(0.5));
+  return box;
+}
+
+Level moved(const Level& level, const Selection& selection, const Vector& vector) {
+  Level result = level;
+  if (!allows(level, selection, GizmoMode::move) || !isFinite(vector) || vector == Vector(0)) return result;
+  Box box;
+  changePoints(result, selection, [&](const Point& p) { box.extend(p); });
+  // All points by the same vector, so that nothing is bent where coordinates end.
+  const Vector low = glm::min(Vector(-maxCoordinate) - box.min, Vector(0));
+  const Vector high = glm::max(Vector(maxCoordinate) - box.max, Vector(0));
+  const Vector shift = glm::clamp(vector, low, high);
+  changePoints(result, selection, [&](Point& p) { p = clampedPoint(p + shift); });
+  return result;
+}
+
+Level rotated(const Level& level, const Selection& selection, const Point& origin, const Direction& axis,
+              double angleRadians) {
+  Level result = level;
+  if (!allows(level, selection, GizmoMode::rotate) || !std::isfinite(angleRadians) || angleRadians == 0)
+    return result;
+  if (!isFinite(origin) || !(std::abs(glm::length(axis) - 1) < 1e-6)) return result;
+  const glm::dmat3 turn = turnAbout(axis, angleRadians);
+  const auto map = [&](const Point& p) { return clampedPoint(origin + turn * (p - origin)); };
+  if (selection.part == Part::eye) {
+    Camera& camera = result.camera;
+    const Vector sight = camera.target - camera.eye;
+    // About the line of sight the aim stays and the image turns; else up stays up.
+    if (glm::length(glm::cross(sight, axis)) < 1e-6 * glm::length(sight)) {
+      camera.up = turn * camera.up;
+    } else {
+      camera.target = clampedPoint(camera.eye + turn * sight);
+    }
+  } else if (selection.part == Part::original) {
+    Placement& placement = result.original.placement;
+    placement.rotationDegrees =
+        eulerDegrees(turn * rotationMatrix(placement.rotationDegrees), placement.rotationDegrees);
+    if (placement.position != origin) placement.position = map(placement.position);
+  } else {
+    std::visit([&](auto& shape) { mapMirror(shape, map); }, result.optic.shape);
+  }
+  return result;
+}
+
+Level scaled(const Level& level, const Selection& selection, const Point& origin, const Vector& factors) {
+  Level result = level;
+  if (!allows(level, selection, GizmoMode::scale) || !isFinite(origin) || !isFinite(factors)) return result;
+  Vector f = glm::max(factors, Vector(0));
+  if (scalesUniformly(level, selection)) f = Vector(strongest(strongest(f.x, f.y), f.z));
+  if (f == Vector(1)) return result;
+  const Axes axes = ownAxes(level, selection);
+  const auto map = [&](const Point& p) {
+    Point q = p;
+    for (int i = 0; i < 3; ++i) {
+      const Direction& axis = axes[static_cast<std::size_t>(i)];
+      if (f[i] != 1) q += (f[i] - 1) * glm::dot(p - origin, axis) * axis;
+    }
+    return q;
+  };
+  if (selection.part == Part::sculpture) {
+    result.sculpture.depthScale = std::clamp(level.sculpture.depthScale * f.x, minDepthScale, maxDepthScale);
+  } else if (selection.part == Part::original) {
+    Placement& placement = result.original.placement;
+    placement.scale = glm::min(placement.scale * f, Vector(maxLength));
+    placement.position = clampedPoint(map(placement.position));
+  } else {
+    std::visit(
+        [&](auto& shape) {
+          scaleSize(shape, f);
+          mapMirror(shape, map);
+        },
+        result.optic.shape);
+  }
+  return result;
+}
+
+// R = Rz(c) Ry(b) Rx(a). Once c is chosen the other two follow from what is left of the rotation, exactly and
+// without dividing (Shoemake 1994, "Euler angle conversion"): it is near cos b = 0 that the usual three atan2
+// lose digits.
+Vector eulerDegrees(const glm::dmat3& r, const Vector& near) {
+  const double cosine = std::hypot(r[0][0], r[0][1]);
+  const double c = cosine > 1e-12 ? std::atan2(r[0][1], r[0][0]) : radians(near.z);
+  const double cc = std::cos(c), sc = std::sin(c);
+  const double b = std::atan2(-r[0][2], cc * r[0][0] + sc * r[0][1]);
+  const double a = std::atan2(sc * r[2][0] - cc * r[2][1], cc * r[1][1] - sc * r[1][0]);
+  const auto nearest = [&](const Vector& angles) {
+    Vector result;
+    for (int i = 0; i < 3; ++i) result[i] = near[i] + std::remainder(angles[i] - near[i], 360.0);
+    return result;
+  };
+  const Vector first = nearest({degrees(a), degrees(b), degrees(c)});
+  const Vector second = nearest({degrees(a) + 180, 180 - degrees(b), degrees(c) + 180});
+  Vector best = lengthSquared(second - near) < lengthSquared(first - near) ? second : first;
+  for (int i = 0; i < 3; ++i) best[i] = std::round(best[i] * 1e9) / 1e9 + 0.0;  // + 0.0: no -0
+  return best;
+}
+
+}  // namespace anamorph

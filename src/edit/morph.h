@@ -1,0 +1,21 @@
+// The construction as an animation: every vertex of the sculpture on its way along its vertex ray, from the
+// original's point P straight to the mirror point Q and on along the reflected ray to S (method section 2).
+//
+//      P t = 0           The way |PQ| + |QS| is gone evenly, so all vertices start and arrive together.
+//       \                .
+//     ---Q------ mirror
+//       /
+//      S t = 1
+#pragma once
+
+#include "anamorphosis/sculpture.h"
+
+namespace anamorph {
+
+/// The positions of sculpture.mesh at t = 0..1: exactly sculpture.original at 0, exactly the sculpture at 1.
+/// Vertices that are not mapped stay. `optic` and `eye` are those it was made with. `threads` as for
+/// parallelFor.
+PointArray morphPoints(const Sculpture& sculpture, const Optic& optic, const Point& eye, double t,
+                       int threads = 1);
+
+}  // namespace anamorph

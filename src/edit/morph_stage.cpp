@@ -1,0 +1,33 @@
+#include "edit/morph_stage.h"
+
+#include "edit/morph.h"
+
+namespace anamorph {
+
+PreparedSculpture MorphStage::at(double share, const Level& level, const PreparedSculpture& sculpture,
+                                 int threads) {
+  if (share >= 1 || !sculpture.sculpture || sculpture.sculpture->mesh.triangles.empty()) return sculpture;
+  return memo_.get({share, level.optic, level.camera.eye, sculpture},
+                   [&](const Input& input) { return make(input, threads); });
+}
+
+PreparedSculpture MorphStage::make(const Input& input, int threads) {
+  const PreparedMesh& prepared = input.sculpture.prepared;
+  if (ringGroups_ != prepared.normalGroups) {
+    ringGroups_ = prepared.normalGroups;
+    ring_ = {};
+  }
+  const auto moving = ring_.take({*input.sculpture.sculpture, *prepared.bvh, *prepared.normals});
+  Sculpture& sculpture = moving->sculpture;
+  sculpture.status = input.sculpture.sculpture->status;
+  sculpture.mesh.positions =
+      morphPoints(*input.sculpture.sculpture, input.optic, input.eye, input.share, threads);
+  const Mesh& mesh = sculpture.mesh;
+  moving->normals = computeNormals(mesh.positions, mesh.triangles, *prepared.normalGroups, threads);
+  moving->bvh.refit(mesh.positions, threads);
+  return {
+      {moving, &sculpture},
+      {{moving, &sculpture.mesh}, {moving, &moving->bvh}, prepared.normalGroups, {moving, &moving->normals}}};
+}
+
+}  // namespace anamorph

@@ -1,0 +1,36 @@
+// The sculpture on its way from the original, ready to be drawn and reflected: morph.h with normals and tree.
+// Kept as long as nothing changes.
+#pragma once
+
+#include "pipeline/buffer_ring.h"
+#include "pipeline/memo.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+
+class MorphStage {
+ public:
+  /// `share` as for morphPoints; 1 is the sculpture itself.
+  PreparedSculpture at(double share, const Level& level, const PreparedSculpture& sculpture, int threads);
+
+ private:
+  struct Input {
+    double share;
+    Optic optic;
+    Point eye;
+    PreparedSculpture sculpture;
+    bool operator==(const Input&) const = default;
+  };
+  struct Moving {
+    Sculpture sculpture;
+    Bvh bvh;
+    std::vector<glm::vec3> normals;
+  };
+  PreparedSculpture make(const Input& input, int threads);
+
+  Memo<Input, PreparedSculpture> memo_;
+  std::shared_ptr<const NormalGroups> ringGroups_;  // of the triangles that the ring's buffers have
+  BufferRing<Moving> ring_;
+};
+
+}  // namespace anamorph

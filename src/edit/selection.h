@@ -1,0 +1,23 @@
+// What the user has selected: one thing of the level that can be moved, or nothing.
+#pragma once
+
+namespace anamorph {
+
+enum class Part {
+  none,
+  eye,        ///< the RT camera's place
+  aim,        ///< the point that the RT camera looks at
+  original,
+  mirror,
+  sculpture,  ///< its scale is the depth scale
+  light,      ///< the level's light number `index`
+};
+
+struct Selection {
+  Part part = Part::none;
+  int index = 0;  ///< of a light
+
+  bool operator==(const Selection&) const = default;
+};
+
+}  // namespace anamorph

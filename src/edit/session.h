@@ -1,0 +1,63 @@
+// The level that is being looked at and edited, with its history. Every edit goes through here, whoever makes
+// it: a number in a panel, the gizmo in the 3D view, a key, a script.
+//
+// A change is one step of the history from its first moment to finishChange(), however many frames a drag
+// lasts:
+//
+//      change(a) change(b) change(c) finishChange()        undo()
+//      |<------------- one step ---------------->|   back to before a
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "level/level.h"
+
+namespace anamorph {
+
+class Session {
+ public:
+  /// Reads a level (or a scene of the thesis, with the default box in the mesh's place). Throws Error and
+  /// leaves everything as it was.
+  void open(const std::filesystem::path& path);
+
+  const Level& level() const { return level_; }
+  const std::filesystem::path& path() const { return path_; }
+  /// Sentences about the file that was opened.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Grows with every level opened, so that others notice.
+  int generation() const { return generation_; }
+
+  /// The level as it is now, within a change that goes on; begins one when none does.
+  void change(Level level);
+  /// Ends the change that goes on, if any: one step to undo, or none when the level is what it was.
+  void finishChange();
+  /// Back to before the change that goes on.
+  void cancelChange();
+  bool changing() const { return before_.has_value(); }
+  /// A whole change at once.
+  void edit(Level level);
+
+  bool canUndo() const { return changing() || !undo_.empty(); }
+  bool canRedo() const { return !changing() && !redo_.empty(); }
+  /// One step back; a change that goes on is cancelled instead. Without steps nothing happens.
+  void undo();
+  void redo();
+  /// The level as it was opened; one step to undo.
+  void reset();
+
+  /// Whether the level differs from what was opened.
+  bool modified() const { return !(level_ == opened_); }
+
+ private:
+  std::filesystem::path path_;
+  Level level_, opened_;
+  std::vector<std::string> warnings_;
+  int generation_ = 0;
+  std::optional<Level> before_;  // of the change that goes on
+  std::vector<Level> undo_, redo_;
+};
+
+}  // namespace anamorph

@@ -1,0 +1,139 @@
+#include "edit/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/parallel_for.h"
+#include "edit/level_edits.h"
+#include "edit/orbit.h"
+
+namespace anamorph {
+namespace {
+
+ViewPose rtPose(const Workspace& work) {
+  return lookThroughPose(work.session.level().camera, std::max(1, work.viewWidth),
+                         std::max(1, work.viewHeight));
+}
+
+// What depends on the level's parts and may be gone after an edit.
+void dropStaleSelection(Workspace& work) {
+  const Level& level = work.session.level();
+  if (work.selection.part == Part::light && work.selection.index >= static_cast<int>(level.lights.size())) {
+    work.selection = {};
+  }
+  const bool inGrid =
+      work.cell && work.cell->column < level.camera.gridColumns && work.cell->row < level.camera.gridRows;
+  if (!inGrid) work.cell.reset();
+}
+
+bool advanceView(Workspace& work, double seconds) {
+  const ViewPose before = work.pose;
+  if (work.flight) {
+    if (work.lookingThrough) work.flight->goal = rtPose(work);
+    work.flightSeconds += seconds;
+    work.pose = work.flight->poseAt(work.flightSeconds);
+    if (work.flight->endedAt(work.flightSeconds)) work.flight.reset();
+  } else if (work.lookingThrough) {
+    work.pose = rtPose(work);
+  }
+  return !(before == work.pose);
+}
+
+void extendBy(Box& box, const Box& other) {
+  if (other.empty()) return;
+  box.extend(other.min);
+  box.extend(other.max);
+}
+
+Box meshBox(const PreparedMesh& mesh) {
+  return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
+}
+
+Box mirrorBox(const Level& level) {
+  if (findShapeProblem(level.optic.shape)) return {};
+  return boundingBox(tessellate(level.optic.shape).positions);
+}
+
+}  // namespace
+
+void openLevel(Workspace& work, const std::filesystem::path& path) {
+  work.session.open(path);
+  const ViewSettings& view = work.session.level().view;
+  work.pose = soundPose({view.eye, view.target, {0, 0, 1}, view.fovDegrees, false});
+  work.flight.reset();
+  work.lookingThrough = false;
+  work.returnPose.reset();
+  work.selection = {};
+  work.point.reset();
+  work.cell.reset();
+  work.display.morph = 1;
+  work.animationSeconds = 0;
+  work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
+}
+
+bool advance(Workspace& work, double seconds) {
+  dropStaleSelection(work);
+  bool changed = advanceView(work, seconds);
+  if (work.rays.animate && work.rays.show && !work.animationPaused) {
+    work.animationSeconds += seconds;
+    changed = true;
+  }
+  const bool trees = work.rays.show && (work.rays.source == RaySource::pixels || work.cell);
+  return work.studio.update(work.session, {work.preview.size, trees}) || changed;
+}
+
+bool isMoving(const Workspace& work) {
+  return work.flight || (work.rays.animate && work.rays.show && !work.animationPaused);
+}
+
+void flyTo(Workspace& work, const ViewPose& pose) {
+  work.lookingThrough = false;
+  work.flight = PoseFlight{work.pose, pose};
+  work.flightSeconds = 0;
+}
+
+void takeOverView(Workspace& work) {
+  work.flight.reset();
+  work.lookingThrough = false;
+}
+
+void toggleLookThrough(Workspace& work) {
+  if (work.lookingThrough) {
+    flyTo(work, work.returnPose.value_or(work.pose));
+    return;
+  }
+  work.returnPose = work.flight ? work.flight->goal : work.pose;
+  flyTo(work, rtPose(work));
+  work.lookingThrough = true;
+}
+
+Box boxOf(const Workspace& work, const Selection& selection) {
+  const Products& products = work.studio.products();
+  const Level& level = work.session.level();
+  const Box original = meshBox(products.original), sculpture = meshBox(products.sculpture.prepared);
+  if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
+  Box box = mirrorBox(level);
+  extendBy(box, original);
+  extendBy(box, sculpture);
+  if (work.display.rtCamera) box.extend(level.camera.eye);
+  return box;
+}
+
+std::optional<Construction> currentConstruction(const Workspace& work) {
+  const Products& products = work.studio.products();
+  if (!work.point || !products.original.mesh) return std::nullopt;
+  if (!isOn(*products.original.mesh, *work.point)) return std::nullopt;
+  if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
+  const Level& level = products.level;
+  return makeConstruction(level.optic, level.camera.eye, pointOn(*products.original.mesh, *work.point),
+                          level.sculpture.depthScale);
+}
+
+PreparedSculpture shownSculpture(Workspace& work) {
+  const Products& products = work.studio.products();
+  return work.morph.at(work.display.morph, products.level, products.sculpture,
+                       std::min(hardwareThreads(), 4));
+}
+
+}  // namespace anamorph

@@ -1,0 +1,92 @@
+// All that one window works on: the level with its history, what is made of it, how it is looked at, what is
+// selected. Plain data with a few functions; no window and no ImGui, so tests and screenshots use the same.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/construction.h"
+#include "edit/display_settings.h"
+#include "edit/gizmo.h"
+#include "edit/morph_stage.h"
+#include "edit/pick.h"
+#include "edit/pose_flight.h"
+#include "edit/selection.h"
+#include "edit/session.h"
+#include "edit/studio.h"
+#include "edit/view_pose.h"
+
+namespace anamorph {
+
+enum class PreviewTab { reflection, original, difference, wipe };
+
+struct PreviewSettings {
+  PreviewTab tab = PreviewTab::reflection;
+  int size = 256;     ///< longer side in pixels; 0: the pixel grid's own resolution
+  double wipe = 0.5;  ///< 0..1: the reflection is shown to the left of it, the original to the right
+  bool expanded = false;
+};
+
+struct Workspace {
+  explicit Workspace(std::function<void()> wake = {}, int threads = 0) : studio(std::move(wake), threads) {}
+
+  Session session;
+  Studio studio;
+
+  DisplaySettings display;
+  RaySettings rays;
+  PreviewSettings preview;
+
+  Selection selection;
+  std::optional<PickedPoint> point;  ///< whose vertex ray is shown
+  std::optional<GridCell> cell;      ///< whose ray tree alone is shown
+  GizmoMode gizmoMode = GizmoMode::move;
+  bool gizmoLocal = false;
+
+  ViewPose pose;
+  std::optional<PoseFlight> flight;  ///< a move of the view that goes on
+  double flightSeconds = 0;
+  bool lookingThrough = false;            ///< the view is the RT camera's, and stays so when that moves
+  std::optional<ViewPose> returnPose;     ///< where looking through began
+  int viewWidth = 640, viewHeight = 480;  ///< of the 3D view, pixels; set by whoever shows it
+
+  double animationSeconds = 0;  ///< of the rays
+  bool animationPaused = false;
+
+  MorphStage morph;
+
+  std::string message;  ///< for the status line, until the next one
+};
+
+/// Opens a level and looks at it from where it wants to be looked at. Throws Error and changes nothing then.
+void openLevel(Workspace& work, const std::filesystem::path& path);
+
+/// Goes on by `seconds`: flights, the rays' animation, the studio. Returns whether anything changed that is
+/// shown.
+bool advance(Workspace& work, double seconds);
+
+/// Whether something moves by itself, so that the next frame should come soon.
+bool isMoving(const Workspace& work);
+
+/// Moves the view there in a fifth of a second. Ends looking through.
+void flyTo(Workspace& work, const ViewPose& pose);
+/// The view is turned or shifted by hand: no flight, no looking through any more.
+void takeOverView(Workspace& work);
+
+/// To the RT camera's place, and back to where it began.
+void toggleLookThrough(Workspace& work);
+
+/// The box of what is selected, of everything when nothing is.
+Box boxOf(const Workspace& work, const Selection& selection);
+
+/// The vertex ray of the picked point in the level as it is; nothing when none is picked or nothing is there
+/// yet.
+std::optional<Construction> currentConstruction(const Workspace& work);
+
+/// What the 3D view shows as sculpture: the sculpture, or a state on the way to it (display.morph).
+PreparedSculpture shownSculpture(Workspace& work);
+
+}  // namespace anamorph

@@ -1,0 +1,210 @@
+#include "panels/actions.h"
+
+#include <algorithm>
+
+#include "edit/orbit.h"
+#include "panels/view_panel.h"
+
+namespace anamorph {
+namespace {
+
+// The level so many places after the one that is open; the last and the first are followed by nothing.
+void openNeighbour(Workspace& work, UiState& ui, int offset) {
+  const auto current = std::find_if(ui.levels.begin(), ui.levels.end(), [&](const LevelEntry& entry) {
+    return entry.path == work.session.path();
+  });
+  const auto index = current - ui.levels.begin() + offset;
+  if (current == ui.levels.end() || index < 0 || index >= static_cast<std::ptrdiff_t>(ui.levels.size()))
+    return;
+  ui.requests.open = ui.levels[static_cast<std::size_t>(index)].path;
+}
+
+void setMode(Workspace& work, GizmoMode mode) {
+  work.gizmoMode = mode;
+}
+
+// From the innermost out: a drag, a lock on one pixel or vertex, the selection, an open window.
+void cancel(Workspace& work, UiState& ui) {
+  if (ui.viewDrag != ViewDrag::none) return endViewDrag(work, ui, false);
+  if (work.session.changing()) return work.session.cancelChange();
+  if (ui.render.open || ui.helpOpen) {
+    ui.render.open = ui.helpOpen = false;
+  } else if (work.preview.expanded) {
+    work.preview.expanded = false;
+  } else if (work.cell || work.point) {
+    work.cell.reset();
+    work.point.reset();
+  } else {
+    work.selection = {};
+  }
+}
+
+void frame(Workspace& work, const Selection& selection) {
+  const double aspect = double(std::max(1, work.viewWidth)) / std::max(1, work.viewHeight);
+  flyTo(work, frameBox(upright(work.pose), boxOf(work, selection), aspect));
+}
+
+}  // namespace
+
+const std::vector<ActionText>& actionTexts() {
+  static const std::vector<ActionText> texts{
+      {Action::undo, "Undo", "One step back; a drag is one step"},
+      {Action::redo, "Redo", "One step forward again"},
+      {Action::cancel, "Cancel",
+       "Ends a drag without its effect, then lets go of pixel, vertex and selection"},
+      {Action::resetLevel, "Reset the level", "As it was opened; can be undone"},
+      {Action::moveMode, "Move", "The gizmo moves the selection"},
+      {Action::rotateMode, "Rotate", "The gizmo turns the selection"},
+      {Action::scaleMode, "Scale", "The gizmo scales the selection"},
+      {Action::toggleLocal, "Own axes", "The gizmo has the axes of the scene, or the selection's own"},
+      {Action::lookThrough, "Look through the RT camera", "And back to where you were"},
+      {Action::frameSelection, "Frame the selection", "The view comes near enough to see it whole"},
+      {Action::frameAll, "Frame everything", "The view goes back far enough to see all"},
+      {Action::viewFront, "From the front", "Along the y axis"},
+      {Action::viewRight, "From the right", "Along the x axis"},
+      {Action::viewTop, "From above", "Along the z axis"},
+      {Action::toggleParallel, "Parallel rays", "Orthographic view and back"},
+      {Action::pauseRays, "Pause the rays", "While they are animated"},
+      {Action::previousLevel, "Previous level", ""},
+      {Action::nextLevel, "Next level", ""},
+      {Action::reload, "Reload the level", "From its file"},
+      {Action::renderImage, "Render an image", "In high resolution"},
+      {Action::screenshot, "Screenshot", "Of the window, as PNG"},
+      {Action::help, "Help", "Keys, mouse and words"},
+      {Action::hidePanels, "Hide the panels", "And show them again"},
+      {Action::fullscreen, "Full screen", "And back"},
+      {Action::quit, "Quit", ""},
+  };
+  return texts;
+}
+
+std::vector<Shortcut> shortcuts(bool vrtKeys) {
+  using namespace keys;
+  std::vector<Shortcut> table{
+      {Action::undo, 'Z', control, "Ctrl+Z"},
+      {Action::redo, 'Y', control, "Ctrl+Y"},
+      {Action::redo, 'Z', control | shift, "Ctrl+Shift+Z"},
+      {Action::cancel, escape, 0, "Esc"},
+      {Action::resetLevel, 'R', control, "Ctrl+R"},
+      {Action::moveMode, vrtKeys ? 'T' : 'W', 0, vrtKeys ? "T" : "W"},
+      {Action::rotateMode, vrtKeys ? 'R' : 'E', 0, vrtKeys ? "R" : "E"},
+      {Action::scaleMode, vrtKeys ? 'S' : 'R', 0, vrtKeys ? "S" : "R"},
+      {Action::toggleLocal, tab, 0, "Tab"},
+      {Action::frameSelection, 'F', 0, "F"},
+      {Action::frameAll, home, 0, "Home"},
+      {Action::pauseRays, space, 0, "Space"},
+      {Action::previousLevel, pageUp, 0, "Page Up"},
+      {Action::nextLevel, pageDown, 0, "Page Down"},
+      {Action::reload, f5, 0, "F5"},
+      {Action::renderImage, 'R', control | shift, "Ctrl+Shift+R"},
+      {Action::screenshot, f12, 0, "F12"},
+      {Action::help, f1, 0, "F1"},
+      {Action::hidePanels, f2, 0, "F2"},
+      {Action::fullscreen, f11, 0, "F11"},
+      {Action::quit, 'Q', control, "Ctrl+Q"},
+  };
+  struct Digit {
+    Action action;
+    int digit;
+    const char* name;
+  };
+  for (const Digit& d : {Digit{Action::lookThrough, 0, "0"}, Digit{Action::viewFront, 1, "1"},
+                         Digit{Action::viewRight, 3, "3"}, Digit{Action::toggleParallel, 5, "5"},
+                         Digit{Action::viewTop, 7, "7"}}) {
+    table.push_back({d.action, '0' + d.digit, 0, d.name});
+    table.push_back({d.action, pad0 + d.digit, 0, d.name});
+  }
+  return table;
+}
+
+std::string keyNameOf(Action action, bool vrtKeys) {
+  for (const Shortcut& shortcut : shortcuts(vrtKeys)) {
+    if (shortcut.action == action) return shortcut.keyName;
+  }
+  return {};
+}
+
+void perform(Action action, Workspace& work, UiState& ui) {
+  switch (action) {
+    case Action::undo:
+      endViewDrag(work, ui, true);
+      return work.session.undo();
+    case Action::redo:
+      return work.session.redo();
+    case Action::cancel:
+      return cancel(work, ui);
+    case Action::resetLevel:
+      endViewDrag(work, ui, true);
+      return work.session.reset();
+    case Action::moveMode:
+      return setMode(work, GizmoMode::move);
+    case Action::rotateMode:
+      return setMode(work, GizmoMode::rotate);
+    case Action::scaleMode:
+      return setMode(work, GizmoMode::scale);
+    case Action::toggleLocal:
+      work.gizmoLocal = !work.gizmoLocal;
+      return;
+    case Action::lookThrough:
+      return toggleLookThrough(work);
+    case Action::frameSelection:
+      return frame(work, work.selection);
+    case Action::frameAll:
+      return frame(work, {});
+    case Action::viewFront:
+      return flyTo(work, viewFrom(work.pose, ViewSide::front));
+    case Action::viewRight:
+      return flyTo(work, viewFrom(work.pose, ViewSide::right));
+    case Action::viewTop:
+      return flyTo(work, viewFrom(work.pose, ViewSide::top));
+    case Action::toggleParallel:
+      takeOverView(work);
+      work.pose = togglePerspective(work.pose);
+      return;
+    case Action::pauseRays:
+      work.animationPaused = !work.animationPaused;
+      return;
+    case Action::previousLevel:
+      return openNeighbour(work, ui, -1);
+    case Action::nextLevel:
+      return openNeighbour(work, ui, 1);
+    case Action::reload:
+      ui.requests.open = work.session.path();
+      return;
+    case Action::renderImage:
+      ui.render.open = true;
+      return;
+    case Action::screenshot:
+      ui.requests.screenshot = true;
+      return;
+    case Action::help:
+      ui.helpOpen = !ui.helpOpen;
+      return;
+    case Action::hidePanels:
+      ui.panelsHidden = !ui.panelsHidden;
+      return;
+    case Action::fullscreen:
+      ui.requests.toggleFullscreen = true;
+      return;
+    case Action::quit:
+      ui.requests.quit = true;
+      return;
+  }
+}
+
+bool handleKey(int key, int modifiers, Workspace& work, UiState& ui) {
+  if (ui.viewDrag == ViewDrag::gizmo && key >= 'X' && key <= 'Z' && (modifiers & keys::control) == 0) {
+    const int axis = key - 'X';
+    ui.axisLock = ui.axisLock == axis ? -1 : axis;
+    return true;
+  }
+  for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {
+    if (shortcut.key == key && shortcut.modifiers == modifiers) {
+      perform(shortcut.action, work, ui);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace anamorph

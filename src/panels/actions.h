@@ -1,0 +1,76 @@
+// What can be done by a key or from a menu: one table of names and keys, which menus, help and the keyboard
+// share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/workspace.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+enum class Action {
+  reload,
+  screenshot,
+  renderImage,
+  quit,
+  undo,
+  redo,
+  resetLevel,
+  cancel,
+  moveMode,
+  rotateMode,
+  scaleMode,
+  toggleLocal,
+  frameSelection,
+  frameAll,
+  viewFront,
+  viewRight,
+  viewTop,
+  toggleParallel,
+  lookThrough,
+  previousLevel,
+  nextLevel,
+  pauseRays,
+  help,
+  hidePanels,
+  fullscreen,
+};
+
+/// Key codes as GLFW numbers them: letters and digits are their capital ASCII characters.
+namespace keys {
+constexpr int escape = 256, tab = 258, pageUp = 266, pageDown = 267, home = 268, f1 = 290, f2 = 291, f5 = 294,
+              f11 = 300, f12 = 301, pad0 = 320, space = 32;
+constexpr int shift = 1, control = 2;
+}  // namespace keys
+
+struct Shortcut {
+  Action action;
+  int key;
+  int modifiers;  ///< exactly these
+  const char* keyName;
+};
+
+struct ActionText {
+  Action action;
+  const char* name;
+  const char* help;
+};
+
+/// All actions, in the order of the help.
+const std::vector<ActionText>& actionTexts();
+std::vector<Shortcut> shortcuts(bool vrtKeys);
+
+/// The first key of an action, for menus: "Ctrl+Z"; empty when it has none.
+std::string keyNameOf(Action action, bool vrtKeys);
+
+/// Does it; what only the window can do is put into ui.requests.
+void perform(Action action, Workspace& work, UiState& ui);
+
+/// A key went down while no text is typed. Returns whether it meant something. X, Y and Z lock the axis of a
+/// drag.
+bool handleKey(int key, int modifiers, Workspace& work, UiState& ui);
+
+}  // namespace anamorph

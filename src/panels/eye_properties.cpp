@@ -1,0 +1,57 @@
+// The RT camera: eye, aim, field of view, pixel grid, and how it traces.
+
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
+
+bool cameraRows(const UiState& ui, Camera& camera) {
+  bool changed = false;
+  if (section(ui, "RT camera")) {
+    changed |= vectorRow("Eye", camera.eye, coordinates,
+                         "Where the viewer's eye is. The sculpture is made for this one point.");
+    changed |= vectorRow("Looks at", camera.target, coordinates,
+                         "The middle of its image. Where it looks does not change the sculpture.");
+    changed |= sliderRow("Field of view", camera.fovDegrees, {20, 120, 0.1, "%.1f°"},
+                         "Of the image, from its lower to its upper edge.");
+  }
+  if (section(ui, "Pixel grid")) {
+    changed |= integerRow("Columns", camera.gridColumns, 1, 64,
+                          "Cells from left to right. Each is one pixel with its own ray.");
+    changed |= integerRow("Rows", camera.gridRows, 1, 64, "Cells from top to bottom.");
+    changed |= sliderRow("Distance", camera.screenDistance, {0.1, 2, 0.01, "%.2f"},
+                         "How far in front of the eye the grid is drawn. It only shows the image: nothing "
+                         "else depends on it.");
+  }
+  return changed;
+}
+
+bool tracingRows(const UiState& ui, TracingSettings& tracing) {
+  bool changed = false;
+  if (!section(ui, "Ray tracer", false)) return false;
+  changed |= integerRow("Recursion depth", tracing.maxDepth, 0, 8,
+                        "How many reflections in a row are followed. With 0 the mirror shows only the sky.");
+  changed |= checkRow("Shadows", tracing.shadows, "Whether a ray to each light has to be free.");
+  changed |= integerRow("Samples", tracing.samplesPerAxis, 1, 4,
+                        "Along each side of a pixel: 2 means 4 rays a pixel, which smooths edges.");
+  return changed;
+}
+
+}  // namespace
+
+void drawEyeProperties(Workspace& work, UiState& ui) {
+  Level level = work.session.level();
+  bool changed = cameraRows(ui, level.camera);
+  if (section(ui, "Shown as")) {
+    checkRow("Camera, frustum and grid", work.display.rtCamera, "In the 3D view.");
+    sliderRow("Grid opacity", work.display.screenOpacity, {0, 1, 0.01, "%.2f"},
+              "Of the image on the pixel grid.");
+  }
+  changed |= tracingRows(ui, level.tracing);
+  if (changed) work.session.change(std::move(level));
+}
+
+}  // namespace anamorph

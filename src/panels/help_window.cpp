@@ -1,0 +1,86 @@
+// F1: mouse, keys (from the same table that the keyboard uses) and the words of the method.
+
+#include <imgui.h>
+
+#include "panels/actions.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+void row(const char* left, const char* right) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(left);
+  ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(right);
+  ImGui::PopTextWrapPos();
+}
+
+bool beginRows(const UiState& ui, const char* id) {
+  if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_RowBg)) return false;
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 190 * static_cast<float>(ui.scale));
+  return true;
+}
+
+void mouseRows(const UiState& ui) {
+  if (!section(ui, "Mouse in the 3D view") || !beginRows(ui, "mouse")) return;
+  row("Left or middle drag", "Turn around the centre");
+  row("Right drag, Shift + middle", "Shift");
+  row("Wheel", "Come nearer to what is under the mouse, or go away");
+  row("Click",
+      "Select; on original and sculpture also show the vertex ray of that point; on the pixel grid isolate a "
+      "pixel");
+  row("Double click", "Turn around this point from now on");
+  row("Drag a handle",
+      "Move, turn or scale what is selected. Ctrl: in steps. Shift: finely. X, Y, Z: along one axis. Esc: "
+      "undo the drag");
+  row("Drag a number", "Change it; double click to type it");
+  ImGui::EndTable();
+}
+
+void keyRows(const UiState& ui) {
+  if (!section(ui, "Keys") || !beginRows(ui, "keys")) return;
+  for (const ActionText& text : actionTexts()) {
+    const std::string key = keyNameOf(text.action, ui.preferences.vrtKeys);
+    if (key.empty()) continue;
+    const std::string what = *text.help != 0 ? std::string(text.name) + ": " + text.help : text.name;
+    row(key.c_str(), what.c_str());
+  }
+  ImGui::EndTable();
+}
+
+void wordRows(const UiState& ui) {
+  if (!section(ui, "Words") || !beginRows(ui, "words")) return;
+  row("eye E", "The viewer's point, where the RT camera is");
+  row("original, P", "The object that is to be seen, and a vertex of it");
+  row("mirror, Q, N", "Where the ray from E to P meets the mirror, and the normal there");
+  row("sculpture, S",
+      "The deformed object, and the vertex made for P: from Q along the reflected ray, k times as far as P "
+      "is behind Q");
+  row("depth scale k", "How far out the sculpture reaches; from the eye every k looks the same");
+  row("match", "How well the reflection agrees with the original seen directly");
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawHelpWindow(Workspace&, UiState& ui) {
+  if (!ui.helpOpen) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(640 * s, display.x), std::min(620 * s, 0.9f * display.y)},
+                           ImGuiCond_Appearing);
+  if (ImGui::Begin("Help", &ui.helpOpen, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    mouseRows(ui);
+    keyRows(ui);
+    wordRows(ui);
+  }
+  ImGui::End();
+}
+
+}  // namespace anamorph

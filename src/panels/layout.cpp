@@ -1,0 +1,42 @@
+#include "panels/layout.h"
+
+#include <algorithm>
+
+namespace anamorph {
+namespace {
+
+constexpr float menuHeight = 30, statusHeight = 26;
+constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 120;
+
+}  // namespace
+
+Layout makeLayout(const LayoutInput& in) {
+  Layout layout;
+  if (in.panelsHidden) {
+    layout.view = {0, 0, in.width, in.height};
+    return layout;
+  }
+  const float s = in.scale;
+  const float menu = menuHeight * s, status = in.height > 300 * s ? statusHeight * s : 0;
+  layout.menu = {0, 0, in.width, std::min(menu, in.height)};
+  layout.status = {0, in.height - status, in.width, status};
+  const float top = layout.menu.height, height = std::max(0.0f, in.height - top - status);
+
+  float left = in.leftWidth * s;
+  float right = (in.previewExpanded ? std::max(in.rightWidth, 0.5f * in.width / s) : in.rightWidth) * s;
+  if (in.width - left - right < smallestView * s) left = 0;
+  if (in.width - right < smallestView * s) right = 0;
+  layout.left = {0, top, left, left > 0 ? height : 0};
+  layout.view = {left, top, in.width - left - right, height};
+
+  float preview = in.previewExpanded ? std::max(in.previewHeight * s, height - 2 * smallestProperties * s)
+                                     : in.previewHeight * s;
+  preview = std::min(preview, height - smallestProperties * s);
+  if (preview < smallestPreview * s) preview = 0;
+  if (right <= 0) preview = 0;
+  layout.properties = {in.width - right, top, right, right > 0 ? height - preview : 0};
+  layout.preview = {in.width - right, top + height - preview, right, preview};
+  return layout;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,44 @@
+// Where the panels are: a fixed arrangement with splitters. Small windows lose the side panels first, so that
+// the 3D view always has room.
+//
+//   +----------------------------------------------+
+//   | menu                                         |
+//   +--------+----------------------+--------------+
+//   | levels |                      | properties   |
+//   |        |       3D view        |              |
+//   +--------+                      +--------------+
+//   | lesson |                      | preview      |
+//   +--------+----------------------+--------------+
+//   | status                                       |
+//   +----------------------------------------------+
+#pragma once
+
+namespace anamorph {
+
+/// Pixels, origin top-left.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+
+  bool empty() const { return !(width > 0 && height > 0); }
+  bool contains(float px, float py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+  bool operator==(const Rect&) const = default;
+};
+
+/// Panels that are not shown have an empty rectangle.
+struct Layout {
+  Rect menu, left, view, properties, preview, status;
+
+  bool operator==(const Layout&) const = default;
+};
+
+struct LayoutInput {
+  float width = 0, height = 0;  ///< of the window, pixels
+  float scale = 1;
+  float leftWidth = 0, rightWidth = 0, previewHeight = 0;  ///< at scale 1
+  bool panelsHidden = false;
+  bool previewExpanded = false;  ///< the preview takes half of the window
+};
+
+Layout makeLayout(const LayoutInput& input);
+
+}  // namespace anamorph

@@ -1,0 +1,72 @@
+#include "panels/match_score.h"
+
+#include <fmt/format.h>
+
+#include "panels/style.h"
+
+namespace anamorph {
+namespace {
+
+std::string percent(double share) {
+  // Never rounded up to a perfect score.
+  const double value = 100 * share;
+  return value < 100 && value > 99.995 ? "99.99 %" : fmt::format("{:.2f} %", value);
+}
+
+}  // namespace
+
+MatchScore matchScore(const Products& products) {
+  MatchScore score;
+  if (products.problem) {
+    score.percent = "0 %";
+    score.word = matchGradeName(MatchGrade::none);
+    score.tone = MatchScore::Tone::bad;
+    score.help = *products.problem;
+    return score;
+  }
+  if (!products.match) {
+    score.percent = "...";
+    score.help = "It is being measured.";
+    return score;
+  }
+  const MatchReport& report = products.match->report;
+  const MatchGrade grade = gradeOf(report);
+  score.share = report.silhouetteIou;
+  // While something moves the picture compared is coarse, and so is the figure.
+  score.percent =
+      products.refined ? percent(report.silhouetteIou) : fmt::format("{:.1f} %", 100 * report.silhouetteIou);
+  score.word = products.refined ? matchGradeName(grade) : "live";
+  score.tone = grade == MatchGrade::none      ? MatchScore::Tone::bad
+               : grade == MatchGrade::partial ? MatchScore::Tone::middling
+                                              : MatchScore::Tone::good;
+  score.help =
+      "How well the reflection agrees with the original seen directly: the share of pixels that both show.";
+  score.parts = {
+      {"Silhouette", percent(report.silhouetteIou), report.silhouetteIou >= 0.99,
+       "Pixels that original and reflection both show, of those that either shows (IoU)."},
+      {"Point error", fmt::format("{:.2f} px", report.p99Px), report.p99Px <= 1,
+       "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
+      {"Hidden", fmt::format("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
+       "Of the original's pixels: the sculpture itself stands between the eye and the mirror. Raise the "
+       "eye."},
+      {"Missed", fmt::format("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
+       "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
+  };
+  return score;
+}
+
+ImVec4 scoreColor(const MatchScore& score, Theme theme) {
+  switch (score.tone) {
+    case MatchScore::Tone::good:
+      return ink::good(theme);
+    case MatchScore::Tone::middling:
+      return ink::middling(theme);
+    case MatchScore::Tone::bad:
+      return ink::bad(theme);
+    case MatchScore::Tone::unknown:
+      break;
+  }
+  return ink::quiet(theme);
+}
+
+}  // namespace anamorph

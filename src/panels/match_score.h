@@ -1,0 +1,35 @@
+// The match report in words and colours, for the menu bar and the preview.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "edit/studio.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+struct MatchPart {
+  const char* name;
+  std::string value;
+  bool good;         ///< as in method section 6
+  const char* help;  ///< one line
+};
+
+struct MatchScore {
+  enum class Tone { good, middling, bad, unknown };
+
+  double share = 0;     ///< silhouette IoU, 0..1
+  std::string percent;  ///< "99.95 %", "..." while it is not known
+  std::string word;     ///< "excellent", "match", "partial", "none"
+  Tone tone = Tone::unknown;
+  std::string help;
+  std::vector<MatchPart> parts;
+};
+
+MatchScore matchScore(const Products& products);
+ImVec4 scoreColor(const MatchScore& score, Theme theme);
+
+}  // namespace anamorph

@@ -1,0 +1,78 @@
+#include "panels/panels.h"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "panels/view_panel.h"
+
+namespace anamorph {
+namespace {
+
+// A border between panels that can be dragged. `size` is at scale 1; `direction` is +1 where dragging right
+// or down makes it larger.
+void splitter(const UiState& ui, const char* id, const Rect& grip, bool vertical, double& size,
+              double direction, double smallest, double largest) {
+  if (grip.empty()) return;
+  ImGui::SetNextWindowPos({grip.x, grip.y});
+  ImGui::SetNextWindowSize({grip.width, grip.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin(id, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::InvisibleButton("grip", {std::max(1.0f, grip.width), std::max(1.0f, grip.height)});
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddRectFilled({grip.x, grip.y}, {grip.x + grip.width, grip.y + grip.height},
+                                              ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
+  }
+  if (ImGui::IsItemActive()) {
+    const ImVec2 delta = ImGui::GetIO().MouseDelta;
+    size = std::clamp(size + direction * (vertical ? delta.x : delta.y) / ui.scale, smallest, largest);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void drawSplitters(UiState& ui) {
+  const Layout& l = ui.layout;
+  const float t = 4 * static_cast<float>(ui.scale);
+  Preferences& p = ui.preferences;
+  if (!l.left.empty()) {
+    splitter(ui, "##split-left", {l.left.x + l.left.width - t / 2, l.left.y, t, l.left.height}, true,
+             p.leftWidth, 1, 180, 600);
+  }
+  if (!l.properties.empty()) {
+    splitter(ui, "##split-right",
+             {l.properties.x - t / 2, l.properties.y, t, l.properties.height + l.preview.height}, true,
+             p.rightWidth, -1, 240, 900);
+  }
+  if (!l.preview.empty()) {
+    splitter(ui, "##split-preview", {l.preview.x, l.preview.y - t / 2, l.preview.width, t}, false,
+             p.previewHeight, -1, 220, 1400);
+  }
+}
+
+}  // namespace
+
+void drawPanels(Workspace& work, UiState& ui) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const Preferences& p = ui.preferences;
+  ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
+                          static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
+                          ui.panelsHidden, work.preview.expanded});
+  drawViewPanel(work, ui);
+  drawMenuBar(work, ui);
+  drawLevelPanel(work, ui);
+  drawPropertiesPanel(work, ui);
+  drawPreviewPanel(work, ui);
+  drawStatusLine(work, ui);
+  drawSplitters(ui);
+  drawRenderWindow(work, ui);
+  drawHelpWindow(work, ui);
+  // A number that is dragged, typed or clicked is one step of the history.
+  if (work.session.changing() && !ui.gizmoDrag && !ImGui::IsAnyItemActive()) work.session.finishChange();
+}
+
+}  // namespace anamorph

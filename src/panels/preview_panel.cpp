@@ -1,0 +1,176 @@
+// The preview: what the RT camera sees, traced on the CPU, beside the original seen directly; and how well
+// they match.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "panels/match_score.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+ImTextureID idOf(const UiTexture& texture) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id));
+}
+
+// The largest rectangle of the image's proportions in what is left of the panel.
+Rect imageRect(const Camera& camera, const ImVec2& at, const ImVec2& room) {
+  const float aspect = static_cast<float>(camera.gridColumns) / static_cast<float>(camera.gridRows);
+  const float width = std::max(1.0f, std::min(room.x, room.y * aspect)),
+              height = std::max(1.0f, width / aspect);
+  return {at.x + (room.x - width) / 2, at.y, width, height};
+}
+
+void drawPicture(const UiTexture& texture, const Rect& r, float from = 0, float to = 1) {
+  if (texture.id == 0 || !(to > from)) return;
+  ImGui::GetWindowDrawList()->AddImage(idOf(texture), {r.x + from * r.width, r.y},
+                                       {r.x + to * r.width, r.y + r.height}, {from, 0}, {to, 1});
+}
+
+void drawCell(const Rect& r, const Camera& camera, const GridCell& cell, ImU32 color, float thickness) {
+  const float w = r.width / static_cast<float>(camera.gridColumns),
+              h = r.height / static_cast<float>(camera.gridRows);
+  const float x = r.x + w * static_cast<float>(cell.column), y = r.y + h * static_cast<float>(cell.row);
+  ImGui::GetWindowDrawList()->AddRect({x, y}, {x + w, y + h}, color, 0, 0, thickness);
+}
+
+// Hover outlines a cell of the pixel grid, a click isolates its rays, a second click shows all again.
+void pickCell(Workspace& work, UiState& ui, const Rect& r) {
+  const Camera& camera = work.session.level().camera;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const GridCell cell{
+      std::clamp(static_cast<int>((mouse.x - r.x) / r.width * static_cast<float>(camera.gridColumns)), 0,
+                 camera.gridColumns - 1),
+      std::clamp(static_cast<int>((mouse.y - r.y) / r.height * static_cast<float>(camera.gridRows)), 0,
+                 camera.gridRows - 1)};
+  ui.hoveredCell = cell;
+  if (!ImGui::IsItemClicked(0)) return;
+  work.cell = work.cell == cell ? std::nullopt : std::optional(cell);
+  work.animationSeconds = 0;
+}
+
+// The line between both pictures, with a grip.
+void drawWipe(Workspace& work, const UiState& ui, const Rect& r) {
+  const float x = r.x + static_cast<float>(work.preview.wipe) * r.width,
+              grip = 7 * static_cast<float>(ui.scale);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddLine({x, r.y}, {x, r.y + r.height}, IM_COL32(255, 255, 255, 230), 2);
+  list->AddCircleFilled({x, r.y + r.height / 2}, grip, IM_COL32(255, 255, 255, 240));
+}
+
+void drawImages(Workspace& work, UiState& ui, const Rect& r) {
+  const UiTextures& t = ui.textures;
+  ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.width, r.y + r.height},
+                                            ImGui::GetColorU32(ImGuiCol_FrameBg));
+  ImGui::SetCursorScreenPos({r.x, r.y});
+  ImGui::InvisibleButton("image", {r.width, r.height});
+  const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+  switch (work.preview.tab) {
+    case PreviewTab::reflection:
+      drawPicture(t.reflection, r);
+      break;
+    case PreviewTab::original:
+      drawPicture(t.original, r);
+      break;
+    case PreviewTab::difference:
+      drawPicture(t.difference, r);
+      break;
+    case PreviewTab::wipe:
+      if (active) work.preview.wipe = std::clamp((ImGui::GetIO().MousePos.x - r.x) / r.width, 0.0f, 1.0f);
+      drawPicture(t.reflection, r, 0, static_cast<float>(work.preview.wipe));
+      drawPicture(t.original, r, static_cast<float>(work.preview.wipe), 1);
+      drawWipe(work, ui, r);
+      return;
+  }
+  const Camera& camera = work.session.level().camera;
+  ui.hoveredCell.reset();
+  if (hovered) pickCell(work, ui, r);
+  if (ui.hoveredCell) drawCell(r, camera, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
+  if (work.cell) drawCell(r, camera, *work.cell, IM_COL32(255, 217, 51, 255), 2.5f);
+}
+
+void scoreBar(const UiState& ui, const MatchScore& score) {
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  list->AddRectFilled(p, {p.x + width, p.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+  ImVec4 fill = scoreColor(score, ui.preferences.theme);
+  fill.w = 0.45f;
+  const float filled = width * static_cast<float>(std::clamp(score.share, 0.0, 1.0));
+  if (filled > 1)
+    list->AddRectFilled(p, {p.x + filled, p.y + height}, ImGui::ColorConvertFloat4ToU32(fill), rounding);
+  const std::string text = "match " + score.percent + "  " + score.word;
+  list->AddText({p.x + ImGui::GetStyle().FramePadding.x, p.y + (height - ImGui::GetFontSize()) / 2},
+                ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  ImGui::Dummy({width, height});
+  tooltip(score.help.c_str());
+}
+
+void scoreParts(const UiState& ui, const MatchScore& score) {
+  if (score.parts.empty()) return;
+  if (!ImGui::BeginTable("parts", static_cast<int>(score.parts.size()))) return;
+  for (const MatchPart& part : score.parts) {
+    ImGui::TableNextColumn();
+    ImGui::BeginGroup();
+    quietText(ui, part.name);
+    ImGui::TextColored(part.good ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.preferences.theme),
+                       "%s", part.value.c_str());
+    ImGui::EndGroup();
+    ImGui::PushID(part.name);
+    tooltip(part.help);
+    ImGui::PopID();
+  }
+  ImGui::EndTable();
+}
+
+void sizeAndRender(Workspace& work, UiState& ui) {
+  constexpr int sizes[] = {0, 64, 128, 256, 512, 1024};
+  const char* names[] = {"as the grid", "64 px", "128 px", "256 px", "512 px", "1024 px"};
+  int chosen =
+      static_cast<int>(std::find(std::begin(sizes), std::end(sizes), work.preview.size) - std::begin(sizes));
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(0.36f * width);
+  if (ImGui::Combo("##size", &chosen, names, 6)) work.preview.size = sizes[std::clamp(chosen, 0, 5)];
+  tooltip("The longer side of these pictures.");
+  ImGui::SameLine();
+  if (ImGui::Button("Render image")) ui.render.open = true;
+  tooltip("A high-resolution picture, to zoom into and to save.");
+  ImGui::SameLine();
+  if (ImGui::Button(work.preview.expanded ? "Smaller" : "Larger", {-FLT_MIN, 0}))
+    work.preview.expanded = !work.preview.expanded;
+}
+
+}  // namespace
+
+void drawPreviewPanel(Workspace& work, UiState& ui) {
+  if (!beginPanel("preview", ui.layout.preview, true, false)) {
+    ui.hoveredCell.reset();
+    return;
+  }
+  int tab = static_cast<int>(work.preview.tab);
+  if (segmentedControl("tabs", tab, {"Reflection", "Original", "Difference", "Wipe"}, 4)) {
+    work.preview.tab = static_cast<PreviewTab>(tab);
+  }
+  const MatchScore score = matchScore(work.studio.products());
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float below = 2 * ImGui::GetFrameHeight() + 2 * ImGui::GetTextLineHeight() + 5 * style.ItemSpacing.y +
+                      2 * style.CellPadding.y;
+  ImVec2 room = ImGui::GetContentRegionAvail();
+  room.y = std::max(1.0f, room.y - below);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  drawImages(work, ui, imageRect(work.session.level().camera, at, room));
+  ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
+  scoreBar(ui, score);
+  scoreParts(ui, score);
+  sizeAndRender(work, ui);
+  ImGui::End();
+}
+
+}  // namespace anamorph

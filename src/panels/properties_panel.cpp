@@ -1,0 +1,75 @@
+// The right panel: the properties of what is selected. Choosing a tab selects its thing, selecting a thing in
+// the 3D view chooses its tab.
+
+#include <array>
+
+#include <imgui.h>
+
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+PropertyTab tabOf(const Selection& selection, PropertyTab otherwise) {
+  switch (selection.part) {
+    case Part::eye:
+    case Part::aim:
+      return PropertyTab::eye;
+    case Part::original:
+      return PropertyTab::original;
+    case Part::mirror:
+      return PropertyTab::mirror;
+    case Part::sculpture:
+      return PropertyTab::sculpture;
+    case Part::light:
+      return PropertyTab::lights;
+    case Part::none:
+      break;
+  }
+  return otherwise;
+}
+
+Selection selectionOf(PropertyTab tab, const Selection& current) {
+  if (tabOf(current, PropertyTab::rays) == tab) return current;
+  switch (tab) {
+    case PropertyTab::eye:
+      return {Part::eye, 0};
+    case PropertyTab::original:
+      return {Part::original, 0};
+    case PropertyTab::mirror:
+      return {Part::mirror, 0};
+    case PropertyTab::sculpture:
+      return {Part::sculpture, 0};
+    default:
+      return current;
+  }
+}
+
+}  // namespace
+
+void drawPropertiesPanel(Workspace& work, UiState& ui) {
+  if (!(ui.tabSelection == work.selection)) {
+    ui.tab = tabOf(work.selection, ui.tab);
+    ui.tabSelection = work.selection;
+  }
+  if (!beginPanel("properties", ui.layout.properties)) return;
+  int tab = static_cast<int>(ui.tab);
+  if (segmentedControl("tabs", tab, {"Eye", "Original", "Mirror", "Sculpture", "Lights", "Rays", "View"},
+                       4)) {
+    ui.tab = static_cast<PropertyTab>(tab);
+    work.selection = ui.tabSelection = selectionOf(ui.tab, work.selection);
+  }
+  using Draw = void (*)(Workspace&, UiState&);
+  constexpr std::array<Draw, 7> tabs{drawEyeProperties,       drawOriginalProperties, drawMirrorProperties,
+                                     drawSculptureProperties, drawLightProperties,    drawRayProperties,
+                                     drawViewProperties};
+  ImGui::BeginChild("rows", {0, 0}, false);
+  ImGui::PushID(tab);
+  tabs[static_cast<std::size_t>(tab)](work, ui);
+  ImGui::PopID();
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,52 @@
+// Which rays are drawn, and how: Virtual Ray Tracer's settings.
+
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+void styleRows(RaySettings& rays) {
+  sliderRow("Thickness", rays.thickness, {0.5, 8, 0.1, "%.1f px"});
+  checkRow("Thicker if they matter more", rays.thicknessByContribution,
+           "By how much a ray gives to its pixel.");
+  checkRow("Fainter if they matter less", rays.alphaByContribution, "By how much a ray gives to its pixel.");
+  if (rays.alphaByContribution) sliderRow("Exponent", rays.alphaExponent, {0, 2, 0.01, "%.2f"});
+  checkRow("In the colour they bring", rays.colorByContribution, "Instead of the colour of their kind.");
+}
+
+void animationRows(Workspace& work) {
+  RaySettings& rays = work.rays;
+  if (checkRow("Animate", rays.animate, "The rays grow from the eye.")) work.animationSeconds = 0;
+  if (!rays.animate) return;
+  if (checkRow("One after the other", rays.sequential)) work.animationSeconds = 0;
+  checkRow("Again and again", rays.loop);
+  sliderRow("Speed", rays.speed, {0, 10, 0.1, "%.1f / s"}, "Scene units a second.");
+  if (wideButton(work.animationPaused ? "Go on" : "Pause")) work.animationPaused = !work.animationPaused;
+  if (wideButton("From the start")) work.animationSeconds = 0;
+}
+
+}  // namespace
+
+void drawRayProperties(Workspace& work, UiState& ui) {
+  RaySettings& rays = work.rays;
+  if (section(ui, "Rays")) {
+    checkRow("Show rays", rays.show);
+    int source = static_cast<int>(rays.source);
+    if (choiceRow("Which", source, {"Through the pixels", "Through vertices"},
+                  "Pixels: the rays that make the image. Vertices: the rays that make the sculpture.")) {
+      rays.source = static_cast<RaySource>(source);
+      work.animationSeconds = 0;
+    }
+    if (rays.source == RaySource::vertices)
+      integerRow("How many", rays.vertexCount, 1, 400, "Spread evenly over the original's vertices.");
+    checkRow("To the lights too", rays.lightRays, "Rays that ask whether a light is free, and shadow rays.");
+    checkRow("Hide rays into the sky", rays.hideNoHit);
+    checkRow("Hide negligible rays", rays.hideNegligible, "That give their pixel less than the share below.");
+    if (rays.hideNegligible) sliderRow("Share", rays.negligible, {0, 1, 0.001, "%.3f"});
+  }
+  if (section(ui, "Style")) styleRows(rays);
+  if (section(ui, "Animation")) animationRows(work);
+}
+
+}  // namespace anamorph

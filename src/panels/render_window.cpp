@@ -1,0 +1,88 @@
+// The high-resolution picture: size and samples, progress, zoom, save.
+
+#include <algorithm>
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+void settings(UiState& ui) {
+  RenderDialog& dialog = ui.render;
+  integerRow("Longer side", dialog.longerSide, 64, 8192, "In pixels.");
+  integerRow("Samples", dialog.samplesPerAxis, 1, 4, "Along each side of a pixel: 3 means 9 rays a pixel.");
+  if (dialog.running) {
+    ImGui::ProgressBar(static_cast<float>(dialog.share), {-80 * static_cast<float>(ui.scale), 0});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {-FLT_MIN, 0})) ui.requests.cancelRender = true;
+  } else if (wideButton("Render")) {
+    ui.requests.startRender = true;
+  }
+}
+
+// Drag to shift, wheel to zoom at the mouse.
+void picture(UiState& ui, const ImVec2& room) {
+  RenderDialog& dialog = ui.render;
+  const UiTexture& t = ui.textures.render;
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("picture", room);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(p, {p.x + room.x, p.y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  if (t.id == 0) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActive()) {
+    dialog.panX += io.MouseDelta.x;
+    dialog.panY += io.MouseDelta.y;
+  }
+  const float fit = std::min(room.x / static_cast<float>(t.width), room.y / static_cast<float>(t.height));
+  const ImVec2 middle{p.x + room.x / 2, p.y + room.y / 2};
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    const float zoom = std::clamp(dialog.zoom * std::pow(1.2f, io.MouseWheel), 1.0f, 40.0f),
+                factor = zoom / dialog.zoom;
+    dialog.panX = (dialog.panX - (io.MousePos.x - middle.x)) * factor + (io.MousePos.x - middle.x);
+    dialog.panY = (dialog.panY - (io.MousePos.y - middle.y)) * factor + (io.MousePos.y - middle.y);
+    dialog.zoom = zoom;
+  }
+  if (dialog.zoom == 1) dialog.panX = dialog.panY = 0;
+  const float w = 0.5f * fit * dialog.zoom * static_cast<float>(t.width),
+              h = 0.5f * fit * dialog.zoom * static_cast<float>(t.height);
+  list->PushClipRect(p, {p.x + room.x, p.y + room.y}, true);
+  list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(t.id)),
+                 {middle.x + dialog.panX - w, middle.y + dialog.panY - h},
+                 {middle.x + dialog.panX + w, middle.y + dialog.panY + h});
+  list->PopClipRect();
+}
+
+}  // namespace
+
+void drawRenderWindow(Workspace&, UiState& ui) {
+  RenderDialog& dialog = ui.render;
+  if (!dialog.open) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(620 * s, display.x), std::min(720 * s, 0.94f * display.y)},
+                           ImGuiCond_Appearing);
+  if (ImGui::Begin("Render image", &dialog.open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    settings(ui);
+    const float below = 2 * ImGui::GetFrameHeightWithSpacing();
+    const ImVec2 avail = ImGui::GetContentRegionAvail();
+    picture(ui, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
+    ImGui::SetNextItemWidth(-90 * s);
+    ImGui::InputText("##file", &dialog.file);
+    tooltip("The PNG file to write.");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(ui.textures.render.id == 0 || dialog.running);
+    if (ImGui::Button("Save", {-FLT_MIN, 0})) ui.requests.saveRender = true;
+    ImGui::EndDisabled();
+    quietText(ui, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
+  }
+  ImGui::End();
+}
+
+}  // namespace anamorph

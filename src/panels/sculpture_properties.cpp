@@ -1,0 +1,90 @@
+// The sculpture: how far it reaches, how fine it is, how it came about; and the construction of a picked
+// vertex.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "panels/material_rows.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+bool deformationRows(SculptureSettings& sculpture) {
+  bool changed = sliderRow(
+      "Depth scale k", sculpture.depthScale, {0.25, 4, 0.01, "%.2f"},
+      "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
+  bool refine = sculpture.tolerancePixels > 0;
+  if (checkRow("Refine", refine,
+               "Split the triangles until their edges are straight in the mirror. Off: the original's own "
+               "vertices, as in the thesis.")) {
+    sculpture.tolerancePixels = refine ? SculptureSettings{}.tolerancePixels : 0;
+    changed = true;
+  }
+  if (refine) {
+    changed |= sliderRow("Tolerance", sculpture.tolerancePixels, {0.05, 10, 0.01, "%.2f px"},
+                         "How far an edge may be off its curve, in pixels of a 512 pixel image.", true);
+  }
+  return changed;
+}
+
+void sizeRows(const Workspace& work) {
+  const Products& products = work.studio.products();
+  if (!products.sculpture.sculpture) return;
+  const Mesh& mesh = products.sculpture.sculpture->mesh;
+  const Box box = boundingBox(mesh.positions);
+  if (!box.empty()) {
+    const Vector size = box.size();
+    textRow("Size", fmt::format("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
+            "Of its box, scene units.");
+  }
+  textRow("Mesh", fmt::format("{} vertices, {} triangles", mesh.positions.size(), mesh.triangles.size()));
+  textRow("Vertices", statusSentence(products.sculpture.sculpture->originalStatus),
+          "What became of the original's own vertices.");
+}
+
+void constructionRows(Workspace& work, const UiState& ui) {
+  const auto construction = currentConstruction(work);
+  if (!construction) {
+    quietText(
+        ui,
+        "Click a point of the original or of the sculpture: its vertex ray is drawn, with all its numbers.");
+    return;
+  }
+  for (const auto& [name, value] : construction->rows) textRow(name.c_str(), value);
+  if (!construction->explanation.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(construction->explanation.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  if (wideButton("Let it go", "Esc does the same.")) work.point.reset();
+}
+
+}  // namespace
+
+void drawSculptureProperties(Workspace& work, UiState& ui) {
+  Level level = work.session.level();
+  bool changed = false;
+  if (section(ui, "Deformation")) {
+    changed |= deformationRows(level.sculpture);
+    sizeRows(work);
+  }
+  if (section(ui, "Vertex ray")) constructionRows(work, ui);
+  if (section(ui, "Shown as")) {
+    sliderRow(
+        "Morph", work.display.morph, {0, 1, 0.01, "%.2f"},
+        "0 is the original, 1 the sculpture; in between every vertex is on its way along its vertex ray.");
+    checkRow("Sculpture", work.display.sculpture);
+    checkRow("Triangle edges", work.display.wireframe, "How fine the sculpture is.");
+    checkRow("Colour by status", work.display.statusColors,
+             "Which vertices are mapped, and why others are not.");
+  }
+  if (section(ui, "Material", false)) changed |= materialRows(level.sculpture.material);
+  if (changed) work.session.change(std::move(level));
+}
+
+}  // namespace anamorph

@@ -1,0 +1,77 @@
+// The status line: what happened last, what is being computed, how large and how fast everything is.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+std::string stateText(const Products& products) {
+  if (products.problem) return "no sculpture";
+  if (!products.sculpture.sculpture) return "loading";
+  if (!products.refined) return "following, not refined";
+  return products.complete ? "refined and matched" : "refined, matching";
+}
+
+std::string figures(const UiState& ui, const Products& products) {
+  std::string text;
+  if (products.sculpture.sculpture) {
+    const Mesh& mesh = products.sculpture.sculpture->mesh;
+    text = fmt::format("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
+  }
+  if (!ui.headless) text += fmt::format("   {:.0f} ms", ui.frameMilliseconds);
+  return text;
+}
+
+void progress(Workspace& work, const UiState& ui) {
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SameLine();
+  ImGui::ProgressBar(static_cast<float>(work.studio.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("Cancel")) work.studio.cancel();
+}
+
+}  // namespace
+
+void drawStatusLine(Workspace& work, UiState& ui) {
+  const Rect& rect = ui.layout.status;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      {ImGui::GetStyle().WindowPadding.x, 4 * static_cast<float>(ui.scale)});
+  const bool shown = beginPanel("status", rect, true, false);
+  ImGui::PopStyleVar();
+  if (!shown) return;
+  const Products& products = work.studio.products();
+  const std::string state = stateText(products);
+  ImGui::TextUnformatted(state.c_str());
+  if (work.studio.busy() && !products.complete && !ui.headless) progress(work, ui);
+  const std::string message = !work.message.empty()        ? work.message
+                              : !products.warnings.empty() ? products.warnings.front()
+                                                           : std::string();
+  const std::string right = figures(ui, products);
+  const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
+  const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;
+  if (!message.empty()) {
+    ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
+    const ImVec2 p = ImGui::GetCursorScreenPos();
+    const ImVec4 color =
+        work.message.empty() ? ink::middling(ui.preferences.theme) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const float end = rect.x + rightX - 12 * static_cast<float>(ui.scale);
+    ImGui::PushClipRect(p, {end, rect.y + rect.height}, true);
+    ImGui::TextColored(color, "%s", message.c_str());
+    ImGui::PopClipRect();
+    tooltip(message.c_str());
+  }
+  if (rightX > 0.4f * rect.width) {
+    ImGui::SameLine(rightX);
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
+    ImGui::TextUnformatted(right.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::End();
+}
+
+}  // namespace anamorph

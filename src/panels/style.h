@@ -1,0 +1,46 @@
+// How the panels look: colours, spacing and sizes of the three themes. Readable first.
+#pragma once
+
+#include <imgui.h>
+
+#include "math/vec.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+/// Sets Dear ImGui's style for a theme and a scale.
+void applyStyle(Theme theme, double scale);
+
+/// Factor of the text's size: the projector theme's is larger.
+double textScale(Theme theme);
+
+/// The 3D view's sky for a theme; dark shows the level's own.
+std::optional<Background> skyOf(Theme theme);
+
+/// Colours with a meaning, the same in every theme where they are readable there.
+namespace ink {
+ImU32 of(const Color& display, double alpha = 1);
+ImVec4 good(Theme theme);      ///< excellent, matched
+ImVec4 middling(Theme theme);  ///< partial
+ImVec4 bad(Theme theme);       ///< none; what is wrong
+ImVec4 accent(Theme theme);
+ImVec4 quiet(Theme theme);  ///< text of second rank
+}  // namespace ink
+
+/// Text in a font, for as long as it lives.
+class FontScope {
+ public:
+  explicit FontScope(ImFont* font) : pushed_(font != nullptr) {
+    if (pushed_) ImGui::PushFont(font);
+  }
+  ~FontScope() {
+    if (pushed_) ImGui::PopFont();
+  }
+  FontScope(const FontScope&) = delete;
+  FontScope& operator=(const FontScope&) = delete;
+
+ private:
+  bool pushed_;
+};
+
+}  // namespace anamorph

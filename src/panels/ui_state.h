@@ -1,0 +1,113 @@
+// What the panels remember between frames, what they are given to show, and what they ask of the window.
+// Plain data.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/gizmo_drag.h"
+#include "edit/pick.h"
+#include "edit/selection.h"
+#include "level/level_library.h"
+#include "panels/layout.h"
+
+struct ImFont;
+
+namespace anamorph {
+
+/// The fonts that the window has loaded; null: Dear ImGui's own.
+struct Fonts {
+  ImFont* text = nullptr;
+  ImFont* strong = nullptr;
+  ImFont* title = nullptr;
+};
+
+enum class Theme { dark, light, projector };
+
+/// Kept between runs.
+struct Preferences {
+  Theme theme = Theme::dark;
+  double uiScale = 0;    ///< 0: as the screen says; else 0.75..3
+  bool vrtKeys = false;  ///< T/R/S for move, rotate, scale as in Virtual Ray Tracer, instead of W/E/R
+  bool legend = true;
+  double leftWidth = 264, rightWidth = 336, previewHeight = 440;  ///< at 100 % UI scale
+
+  bool operator==(const Preferences&) const = default;
+};
+
+/// A picture on the graphics card; id 0: none.
+struct UiTexture {
+  std::uint32_t id = 0;
+  int width = 0, height = 0;
+  bool bottomUp = false;  ///< its first row is the lowest, as OpenGL draws
+};
+
+struct UiTextures {
+  UiTexture view;
+  UiTexture reflection, original, difference;
+  UiTexture render;                             ///< the high-resolution picture
+  std::map<std::string, UiTexture> thumbnails;  ///< by the level's name
+};
+
+/// What only the window can do; taken and cleared by it after every frame.
+struct UiRequests {
+  bool quit = false;
+  bool toggleFullscreen = false;
+  bool screenshot = false;
+  bool startRender = false, cancelRender = false, saveRender = false;
+  std::optional<std::filesystem::path> open;
+};
+
+enum class PropertyTab { eye, original, mirror, sculpture, lights, rays, view };
+
+/// The window with the high-resolution picture.
+struct RenderDialog {
+  bool open = false;
+  int longerSide = 1024;
+  int samplesPerAxis = 3;
+  bool running = false;
+  double share = 0;
+  float zoom = 1;
+  float panX = 0, panY = 0;
+  std::string file = "anamorph.png";
+  std::string message;
+};
+
+/// A drag in the 3D view that goes on.
+enum class ViewDrag { none, orbit, pan, gizmo };
+
+struct UiState {
+  Preferences preferences;
+  Fonts fonts;
+  double scale = 1;  ///< of everything, from the preferences or the screen
+  Layout layout;
+  UiTextures textures;
+  UiRequests requests;
+  std::vector<LevelEntry> levels;
+
+  bool panelsHidden = false;
+  bool helpOpen = false;
+  RenderDialog render;
+
+  PropertyTab tab = PropertyTab::eye;
+  Selection tabSelection;  ///< that `tab` was last switched for
+
+  ViewDrag viewDrag = ViewDrag::none;
+  std::optional<GizmoDrag> gizmoDrag;
+  std::optional<GizmoHandle> hoveredHandle;
+  std::optional<GridCell> hoveredCell;  ///< in the preview
+  bool clickPending = false;            ///< the mouse went down on nothing and has not moved yet
+  int axisLock = -1;                    ///< 0..2 while x, y or z is locked
+
+  double frameMilliseconds = 0;  ///< of the last drawn frame, for the status line
+  double viewScale = 1;          ///< of the 3D view's picture
+  int viewSamples = 0;
+  bool headless = false;  ///< a screenshot: nothing that differs from run to run is shown
+};
+
+}  // namespace anamorph

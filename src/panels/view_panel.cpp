@@ -1,0 +1,209 @@
+#include "panels/view_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "edit/orbit.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr float dragThreshold = 4;  // pixels that the mouse may move in a click
+
+ViewProjection projectionOf(const Workspace& work) {
+  return {work.pose, std::max(1, work.viewWidth), std::max(1, work.viewHeight)};
+}
+
+Pixel mouseIn(const Rect& rect) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {mouse.x - rect.x, mouse.y - rect.y};
+}
+
+bool isUsable(const Pixel& pixel) {
+  return std::abs(pixel.x) < 1e6 && std::abs(pixel.y) < 1e6;
+}
+
+DragKeys keysOf(const UiState& ui) {
+  DragKeys keys{ImGui::GetIO().KeyCtrl, ImGui::GetIO().KeyShift, {}};
+  if (ui.axisLock >= 0) keys.axisLock = ui.axisLock;
+  return keys;
+}
+
+void startGizmoDrag(Workspace& work, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
+                    const Pixel& mouse) {
+  ui.viewDrag = ViewDrag::gizmo;
+  ui.axisLock = -1;
+  ui.gizmoDrag.emplace(GizmoDragStart{work.session.level(), work.selection, shown.frame, shown.mode, handle,
+                                      projectionOf(work), mouse, ui.scale});
+}
+
+void press(Workspace& work, UiState& ui, const Pixel& mouse) {
+  const ShownGizmo shown = currentGizmo(work, ui);
+  const GizmoHandle handle = pickHandle(shown.gizmo, mouse);
+  if (handle != GizmoHandle::none) return startGizmoDrag(work, ui, shown, handle, mouse);
+  ui.clickPending = true;
+}
+
+void click(Workspace& work, const UiState& ui, const Pixel& mouse) {
+  const Pick picked = pickAt(work, ui, mouse);
+  work.cell = picked.cell == work.cell ? std::nullopt : picked.cell;
+  if (picked.cell) {
+    work.selection = {Part::eye, 0};
+    work.animationSeconds = 0;
+    return;
+  }
+  work.selection = picked.selection;
+  work.point = picked.point;
+}
+
+// A double click: what is there becomes the centre that the view turns around.
+void centre(Workspace& work, const UiState& ui, const Pixel& mouse) {
+  const Pick picked = pickAt(work, ui, mouse);
+  if (std::isfinite(picked.distance)) flyTo(work, setCentre(work.pose, picked.where));
+}
+
+void zoom(Workspace& work, const UiState& ui, const Pixel& mouse, double steps) {
+  takeOverView(work);
+  const Pick picked = pickAt(work, ui, mouse);
+  work.pose = std::isfinite(picked.distance) ? zoomTowards(work.pose, picked.where, steps)
+                                             : zoomTo(work.pose, projectionOf(work), mouse, steps);
+}
+
+void beginDrags(Workspace& work, UiState& ui, const Pixel& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseDoubleClicked(0)) {
+    ui.clickPending = false;
+    centre(work, ui, mouse);
+  } else if (ImGui::IsMouseClicked(0)) {
+    press(work, ui, mouse);
+  } else if (ImGui::IsMouseClicked(1) || (ImGui::IsMouseClicked(2) && io.KeyShift)) {
+    ui.viewDrag = ViewDrag::pan;
+  } else if (ImGui::IsMouseClicked(2)) {
+    ui.viewDrag = ViewDrag::orbit;
+  }
+  if (io.MouseWheel != 0 && std::isfinite(io.MouseWheel))
+    zoom(work, ui, mouse, std::clamp(io.MouseWheel, -10.0f, 10.0f));
+}
+
+void continueDrag(Workspace& work, UiState& ui, const Pixel& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ui.clickPending && ImGui::IsMouseDragging(0, dragThreshold * static_cast<float>(ui.scale))) {
+    ui.clickPending = false;
+    ui.viewDrag = ViewDrag::orbit;
+  }
+  const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  switch (ui.viewDrag) {
+    case ViewDrag::orbit:
+      if (!moved) break;
+      takeOverView(work);
+      work.pose = orbit(work.pose, io.MouseDelta.x / ui.scale, io.MouseDelta.y / ui.scale);
+      break;
+    case ViewDrag::pan:
+      if (!moved) break;
+      takeOverView(work);
+      work.pose = pan(work.pose, projectionOf(work), io.MouseDelta.x, io.MouseDelta.y);
+      break;
+    case ViewDrag::gizmo:
+      work.session.change(ui.gizmoDrag->levelAt(mouse, keysOf(ui)));
+      work.message = ui.gizmoDrag->text();
+      break;
+    case ViewDrag::none:
+      break;
+  }
+}
+
+bool anyButtonDown() {
+  return ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
+}
+
+void handleMouse(Workspace& work, UiState& ui, bool hovered) {
+  const Pixel mouse = mouseIn(ui.layout.view);
+  ui.hoveredHandle.reset();
+  if (!isUsable(mouse)) return;
+  const bool busy = ui.viewDrag != ViewDrag::none || ui.clickPending;
+  if (hovered && !busy) beginDrags(work, ui, mouse);
+  continueDrag(work, ui, mouse);
+  if (!anyButtonDown()) {
+    if (ui.clickPending) click(work, ui, mouse);
+    ui.clickPending = false;
+    endViewDrag(work, ui, true);
+  }
+  if (ui.viewDrag == ViewDrag::gizmo) {
+    ui.hoveredHandle = ui.gizmoDrag->start().handle;
+  } else if (hovered) {
+    ui.hoveredHandle = pickHandle(currentGizmo(work, ui).gizmo, mouse);
+  }
+  if (ui.hoveredHandle && *ui.hoveredHandle != GizmoHandle::none)
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+}  // namespace
+
+ShownGizmo currentGizmo(const Workspace& work, const UiState& ui) {
+  ShownGizmo shown;
+  const Selection& selection = work.selection;
+  const Level& level = work.session.level();
+  if (work.lookingThrough && selection.part == Part::eye) return shown;
+  shown.mode = work.gizmoMode;
+  for (const GizmoMode mode : {GizmoMode::move, GizmoMode::scale}) {
+    if (!allows(level, selection, shown.mode)) shown.mode = mode;
+  }
+  const Products& products = work.studio.products();
+  const auto box = [](const PreparedMesh& mesh) {
+    return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
+  };
+  const auto frame = frameOf(level, selection, shown.mode, work.gizmoLocal, box(products.original),
+                             box(products.sculpture.prepared));
+  if (!frame) return shown;
+  shown.frame = *frame;
+  shown.gizmo =
+      makeGizmo(projectionOf(work), *frame, shown.mode, ui.scale, scalesUniformly(level, selection));
+  return shown;
+}
+
+Pick pickAt(Workspace& work, const UiState& ui, const Pixel& pixel) {
+  const PreparedSculpture shown = shownSculpture(work);
+  return pick({projectionOf(work), work.studio.products().level, work.studio.products().original, shown,
+               work.display, work.selection, ui.scale},
+              pixel);
+}
+
+void endViewDrag(Workspace& work, UiState& ui, bool keep) {
+  if (ui.viewDrag == ViewDrag::gizmo) {
+    if (keep) {
+      work.session.finishChange();
+    } else {
+      work.session.cancelChange();
+      work.message.clear();
+    }
+    ui.gizmoDrag.reset();
+    ui.axisLock = -1;
+  }
+  ui.viewDrag = ViewDrag::none;
+}
+
+void drawViewPanel(Workspace& work, UiState& ui) {
+  const Rect& rect = ui.layout.view;
+  if (!beginPanel("view", rect, false, false)) return;
+  work.viewWidth = std::max(1, static_cast<int>(rect.width));
+  work.viewHeight = std::max(1, static_cast<int>(rect.height));
+  const UiTexture& picture = ui.textures.view;
+  if (picture.id != 0) {
+    const float top = picture.bottomUp ? 1.0f : 0.0f;
+    ImGui::GetWindowDrawList()->AddImage(
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.id)), {rect.x, rect.y},
+        {rect.x + rect.width, rect.y + rect.height}, {0, top}, {1, 1 - top});
+  }
+  ImGui::SetCursorScreenPos({rect.x, rect.y});
+  ImGui::InvisibleButton("3d", {rect.width, rect.height},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  const bool hovered = ImGui::IsItemHovered();
+  handleMouse(work, ui, hovered);
+  ImGui::End();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,44 @@
+// The 3D view and the program itself: theme, scale, what is shown.
+
+#include "edit/orbit.h"
+#include "panels/panels.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+
+void drawViewProperties(Workspace& work, UiState& ui) {
+  Preferences& preferences = ui.preferences;
+  if (section(ui, "3D view")) {
+    bool parallel = work.pose.orthographic;
+    if (checkRow("Parallel rays", parallel, "Orthographic view. The key 5 does the same.")) {
+      takeOverView(work);
+      work.pose = togglePerspective(work.pose);
+    }
+    if (!work.lookingThrough && sliderRow("Field of view", work.pose.fovDegrees, {10, 120, 0.1, "%.1f°"})) {
+      takeOverView(work);
+    }
+    checkRow("Legend", preferences.legend, "What the colours and line styles of the rays mean.");
+  }
+  if (section(ui, "Program")) {
+    int theme = static_cast<int>(preferences.theme);
+    if (choiceRow("Theme", theme, {"Dark", "Light", "Projector"},
+                  "Projector: white, with large text and thick lines.")) {
+      preferences.theme = static_cast<Theme>(theme);
+    }
+    int automatic = preferences.uiScale > 0 ? 1 : 0;
+    if (choiceRow("Size", automatic, {"As the screen says", "My own"})) {
+      preferences.uiScale = automatic == 0 ? 0 : ui.scale;
+    }
+    if (preferences.uiScale > 0) {
+      int percent = static_cast<int>(100 * preferences.uiScale + 0.5);
+      const int before = percent / 25;
+      if (integerRow("Percent", percent, 75, 300, "In steps of 25.") && percent / 25 != before) {
+        preferences.uiScale = 0.25 * (percent / 25);
+      }
+    }
+    checkRow("T R S to move, rotate, scale", preferences.vrtKeys,
+             "As in Virtual Ray Tracer, instead of W E R.");
+  }
+}
+
+}  // namespace anamorph

@@ -1,0 +1,116 @@
+#include "panels/view_windows.h"
+
+#include <imgui.h>
+
+#include "edit/level_repairs.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+float scaled(const UiState& ui, float length) {
+  return length * static_cast<float>(ui.scale);
+}
+
+// At a corner or edge of the view; (0, 0) is its upper left, (1, 1) its lower right corner.
+void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alpha, float rounding) {
+  const Rect& view = ui.layout.view;
+  const float gap = scaled(ui, 10);
+  ImGui::SetNextWindowPos(
+      {view.x + gap + corner.x * (view.width - 2 * gap), view.y + gap + corner.y * (view.height - 2 * gap)},
+      ImGuiCond_Always, corner);
+  ImGui::SetNextWindowBgAlpha(alpha);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(ui, rounding));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(ui, 8), scaled(ui, 6)});
+  ImGui::Begin(name, nullptr, floating);
+  ImGui::PopStyleVar(2);
+}
+
+// The faults that there is a way out of.
+void repairButtons(Workspace& work) {
+  const Level& level = work.session.level();
+  const Products& products = work.studio.products();
+  const Box box = products.original.mesh ? boundingBox(products.original.mesh->positions) : Box{};
+  const Level outside = eyeMovedOutside(level, box);
+  if (!(outside == level)) {
+    if (ImGui::Button("Move the eye outside the mirror")) work.session.edit(outside);
+    ImGui::SameLine();
+  } else if (!findShapeProblem(level.optic.shape)) {
+    const Level behind = originalMovedBehind(level, box);
+    if (!(behind == level)) {
+      if (ImGui::Button("Put the original behind the mirror")) work.session.edit(behind);
+      ImGui::SameLine();
+    }
+  }
+  if (work.session.canUndo()) {
+    if (ImGui::Button("Undo")) work.session.undo();
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("Reset the level")) work.session.reset();
+}
+
+void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
+  const float width = scaled(ui, 34), height = ImGui::GetTextLineHeight();
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float y = p.y + height / 2, thick = scaled(ui, 2.4f);
+  if (dash == 0) {
+    list->AddLine({p.x, y}, {p.x + width, y}, color, thick);
+  } else {
+    const float on = scaled(ui, dash == 1 ? 8.0f : 2.5f), off = scaled(ui, dash == 1 ? 5.0f : 4.0f);
+    for (float x = 0; x < width; x += on + off) {
+      list->AddLine({p.x + x, y}, {p.x + std::min(x + on, width), y}, color, thick);
+    }
+  }
+  ImGui::Dummy({width, height});
+  ImGui::SameLine();
+  ImGui::TextUnformatted(name);
+}
+
+}  // namespace
+
+void drawViewButtons(Workspace& work, UiState& ui) {
+  if (ui.layout.view.width < scaled(ui, 220) || ui.layout.view.height < scaled(ui, 120)) return;
+  beginFloating(ui, "##view-buttons", {0, 0}, 0, 6);
+  if (ImGui::Button(work.lookingThrough ? "Back to where I was" : "Look through the RT camera"))
+    toggleLookThrough(work);
+  tooltip("The key 0 does the same.");
+  ImGui::End();
+}
+
+void drawProblem(Workspace& work, UiState& ui) {
+  const auto& problem = work.studio.products().problem;
+  if (!problem) return;
+  beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
+  {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::TextColored(ink::bad(ui.preferences.theme), "There is no sculpture");
+  }
+  ImGui::PushTextWrapPos(
+      std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
+  ImGui::TextUnformatted(problem->c_str());
+  ImGui::PopTextWrapPos();
+  repairButtons(work);
+  ImGui::End();
+}
+
+void drawLegend(const Workspace& work, const UiState& ui) {
+  if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
+  beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
+  legendLine(ui, "from the eye", IM_COL32(0x00, 0x72, 0xB2, 255), 0);
+  legendLine(ui, "reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1);
+  if (work.point) legendLine(ui, "normal", IM_COL32(0x00, 0x9E, 0x73, 255), 2);
+  if (work.rays.lightRays) {
+    legendLine(ui, "to a light", IM_COL32(0xF0, 0xE4, 0x42, 255), 2);
+    legendLine(ui, "in shadow", IM_COL32(0x77, 0x77, 0x77, 255), 2);
+  }
+  if (!work.rays.hideNoHit) legendLine(ui, "meets nothing", IM_COL32(0x99, 0x99, 0x99, 255), 0);
+  ImGui::End();
+}
+
+}  // namespace anamorph

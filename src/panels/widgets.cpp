@@ -1,0 +1,204 @@
+#include "panels/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "panels/style.h"
+
+namespace anamorph {
+namespace {
+
+constexpr float nameShare = 0.40f;  // of the width
+
+// Writes the name and moves to where the control goes. Pair with endRow().
+void beginRow(const char* name, const char* help) {
+  ImGui::PushID(name);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float start = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  tooltip(help);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(start + nameShare * width);
+  ImGui::SetNextItemWidth((1 - nameShare) * width);
+}
+
+void endRow(const char* help) {
+  tooltip(help);
+  ImGui::PopID();
+}
+
+double fromLinear(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+double toLinear(double x) {
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+bool section(const UiState& ui, const char* title, bool open) {
+  ImGui::Dummy({0, 2});
+  const FontScope strong(ui.fonts.strong);
+  ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
+  const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::PopStyleColor();
+  return shown;
+}
+
+bool numberRow(const char* name, double& value, const NumberRange& range, const char* help) {
+  beginRow(name, help);
+  const bool changed =
+      ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(range.speed), &range.min,
+                        &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
+  endRow(help);
+  return changed;
+}
+
+bool sliderRow(const char* name, double& value, const NumberRange& range, const char* help,
+               bool logarithmic) {
+  beginRow(name, help);
+  const int flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
+                                           range.format, flags);
+  endRow(help);
+  return changed;
+}
+
+bool integerRow(const char* name, int& value, int min, int max, const char* help) {
+  beginRow(name, help);
+  const bool changed = ImGui::SliderInt("##value", &value, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+  endRow(help);
+  return changed;
+}
+
+bool vectorRow(const char* name, Vector& value, const NumberRange& range, const char* help) {
+  constexpr ImU32 axisColors[] = {IM_COL32(214, 69, 65, 255), IM_COL32(64, 160, 74, 255),
+                                  IM_COL32(66, 120, 216, 255)};
+  beginRow(name, help);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
+  bool changed = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    ImGui::PushID(axis);
+    if (axis > 0) ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    changed |=
+        ImGui::DragScalar("##value", ImGuiDataType_Double, &value[axis], static_cast<float>(range.speed),
+                          &range.min, &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float thickness = std::max(2.0f, 0.09f * (high.y - low.y));
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x + 3, high.y - thickness}, {high.x - 3, high.y},
+                                              axisColors[axis], thickness / 2);
+    tooltip(help);
+    ImGui::PopID();
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+bool checkRow(const char* name, bool& value, const char* help) {
+  const bool changed = ImGui::Checkbox(name, &value);
+  tooltip(help);
+  return changed;
+}
+
+bool colorRow(const char* name, Color& value, const char* help) {
+  beginRow(name, help);
+  float display[3];
+  for (int i = 0; i < 3; ++i) display[i] = static_cast<float>(fromLinear(value[i]));
+  const bool changed = ImGui::ColorEdit3("##value", display, ImGuiColorEditFlags_Float);
+  if (changed) {
+    for (int i = 0; i < 3; ++i) value[i] = std::clamp(toLinear(display[i]), 0.0, 1.0);
+  }
+  endRow(help);
+  return changed;
+}
+
+bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help) {
+  beginRow(name, help);
+  const bool changed = ImGui::Combo("##value", &value, choices.data(), static_cast<int>(choices.size()));
+  endRow(help);
+  return changed;
+}
+
+void textRow(const char* name, const std::string& value, const char* help) {
+  beginRow(name, help);
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopTextWrapPos();
+  endRow(help);
+}
+
+void tooltip(const char* text) {
+  if (*text == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  // Dear ImGui 1.86 has no delay of its own: the time that the mouse has rested is counted here.
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  const ImGuiID key = ImGui::GetID("tooltip");
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool moved = std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y) > 0 || ImGui::IsAnyMouseDown();
+  const float rested = moved ? 0 : storage->GetFloat(key) + io.DeltaTime;
+  storage->SetFloat(key, rested);
+  if (rested < 0.5f) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void quietText(const UiState& ui, const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+bool wideButton(const char* name, const char* help, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = ImGui::Button(name, {-FLT_MIN, 0});
+  ImGui::EndDisabled();
+  tooltip(help);
+  return pressed;
+}
+
+bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns) {
+  ImGui::PushID(id);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
+  const float width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) /
+                      static_cast<float>(columns);
+  bool changed = false;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    if (i % columns != 0) ImGui::SameLine(0, gap);
+    const bool on = i == chosen;
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    if (ImGui::Button(names[i], {width, 0})) {
+      chosen = i;
+      changed = true;
+    }
+    if (on) ImGui::PopStyleColor();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  return changed;
+}
+
+bool beginPanel(const char* name, const Rect& rect, bool padded, bool scrolls) {
+  if (rect.empty()) return false;
+  ImGui::SetNextWindowPos({rect.x, rect.y});
+  ImGui::SetNextWindowSize({rect.width, rect.height});
+  int flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+              ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+              ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  if (!padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin(name, nullptr, flags);
+  ImGui::PopStyleVar(padded ? 1 : 2);
+  return true;
+}
+
+}  // namespace anamorph

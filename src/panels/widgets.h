@@ -1,0 +1,52 @@
+// Rows of a property panel: a name on the left, a control on the right, an explanation when the mouse rests
+// on either. Every control works on a copy of its value and returns whether it was changed, so that panels
+// can compare and hand the copy to the session.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "math/vec.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+struct NumberRange {
+  double min, max;
+  double speed = 0.02;  ///< change per pixel dragged
+  const char* format = "%.2f";
+};
+
+/// A heading that folds; returns whether what is below it is to be drawn.
+bool section(const UiState& ui, const char* title, bool open = true);
+
+bool numberRow(const char* name, double& value, const NumberRange& range, const char* help = "");
+/// With a slider in place of a field: for values whose whole range makes sense. `power`: logarithmic.
+bool sliderRow(const char* name, double& value, const NumberRange& range, const char* help = "",
+               bool logarithmic = false);
+bool integerRow(const char* name, int& value, int min, int max, const char* help = "");
+/// Three numbers with their axis' colours.
+bool vectorRow(const char* name, Vector& value, const NumberRange& range, const char* help = "");
+bool checkRow(const char* name, bool& value, const char* help = "");
+/// Linear light in, linear light out; shown and picked as displays show it.
+bool colorRow(const char* name, Color& value, const char* help = "");
+bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help = "");
+void textRow(const char* name, const std::string& value, const char* help = "");
+
+/// Appears when the mouse has rested on the last item for half a second.
+void tooltip(const char* text);
+
+/// Wrapped text of second rank.
+void quietText(const UiState& ui, const char* text);
+
+/// A button as wide as the column.
+bool wideButton(const char* name, const char* help = "", bool enabled = true);
+
+/// One of several choices side by side, as a row of buttons that fills the width.
+bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns);
+
+/// A window that is part of the fixed arrangement. Pair with ImGui::End().
+bool beginPanel(const char* name, const Rect& rect, bool padded = true, bool scrolls = true);
+
+}  // namespace anamorph

@@ -1,0 +1,26 @@
+// Big results that are made anew every frame: shared and immutable for whoever holds them, and still without
+// taking memory every time. A buffer that nobody holds any more is written again.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+namespace anamorph {
+
+template <typename T>
+class BufferRing {
+ public:
+  /// A buffer that nobody else holds: one of those handed out before, else a copy of `prototype`.
+  std::shared_ptr<T> take(const T& prototype) {
+    for (const std::shared_ptr<T>& buffer : buffers_) {
+      if (buffer.use_count() == 1) return buffer;
+    }
+    buffers_.push_back(std::make_shared<T>(prototype));
+    return buffers_.back();
+  }
+
+ private:
+  std::vector<std::shared_ptr<T>> buffers_;
+};
+
+}  // namespace anamorph

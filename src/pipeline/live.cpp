@@ -1,0 +1,116 @@
+#include "pipeline/live.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "base/parallel_for.h"
+
+namespace anamorph {
+namespace {
+
+bool isWhole(const Sculpture& sculpture) {
+  const StatusCounts& counts = sculpture.originalStatus;
+  return !sculpture.mesh.triangles.empty() &&
+         std::all_of(counts.begin() + 1, counts.end(), [](std::size_t count) { return count == 0; });
+}
+
+// The original itself as a sculpture that nothing has happened to yet.
+Sculpture undeformed(const Mesh& original) {
+  Sculpture sculpture;
+  sculpture.mesh = original;
+  sculpture.original = original.positions;
+  sculpture.status.assign(original.positions.size(), PathStatus::mapped);
+  sculpture.source.resize(original.positions.size());
+  for (std::uint32_t t = 0; t < original.triangles.size(); ++t) {
+    const Triangle& corners = original.triangles[t];
+    sculpture.source[corners[0]] = {t, 0, 0};
+    sculpture.source[corners[1]] = {t, 1, 0};
+    sculpture.source[corners[2]] = {t, 0, 1};
+    sculpture.sourceTriangle.push_back(t);
+  }
+  return sculpture;
+}
+
+bool allMapped(const std::vector<PathStatus>& status) {
+  return std::all_of(status.begin(), status.end(), [](PathStatus s) { return s == PathStatus::mapped; });
+}
+
+// PathStatus is a byte, and 0 is mapped: what is not 0 is absent.
+std::span<const std::uint8_t> absentPoints(const std::vector<PathStatus>& status) {
+  if (allMapped(status)) return {};
+  return {reinterpret_cast<const std::uint8_t*>(status.data()), status.size()};
+}
+
+}  // namespace
+
+LiveOriginal::LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh placed)
+    : shape_(std::move(shape)), start_(std::move(placed)) {
+  CHECK(shape_->positions.size() == start_.mesh->positions.size());
+  prototype_ = {*start_.mesh, *start_.bvh, *start_.normals};
+}
+
+PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int threads) {
+  if (unitized && !unitized_) unitized_ = std::make_shared<const Mesh>(unitize(*shape_));
+  const PointArray& from = unitized ? unitized_->positions : shape_->positions;
+  const std::shared_ptr<MovingMesh> moving = ring_.take(prototype_);
+  PointArray& to = moving->mesh.positions;
+  const PlacementMap map(placement);
+  parallelFor(from.size(), 8192, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) to.set(i, map(from[i]));
+  });
+  moving->normals = computeNormals(to, moving->mesh.triangles, *start_.normalGroups, threads);
+  moving->bvh.refit(to, threads);
+  return {{moving, &moving->mesh}, {moving, &moving->bvh}, start_.normalGroups, {moving, &moving->normals}};
+}
+
+LiveSculpture::LiveSculpture(const PreparedMesh& original, const PreparedSculpture& settled)
+    : ownTriangles_(!settled.sculpture || !isWhole(*settled.sculpture)) {
+  if (ownTriangles_) {
+    normalGroups_ = original.normalGroups;
+    prototype_ = {undeformed(*original.mesh), *original.bvh, *original.normals};
+  } else {
+    normalGroups_ = settled.prepared.normalGroups;
+    prototype_ = {*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals};
+    source_ = settled.sculpture->source;
+    for (const VertexSource& source : source_) {
+      sourceCorners_.push_back(original.mesh->triangles[source.triangle]);
+    }
+  }
+}
+
+void LiveSculpture::placeSources(const PointArray& original, PointArray& points) const {
+  if (ownTriangles_) {
+    points = original;
+    return;
+  }
+  for (std::size_t i = 0; i < source_.size(); ++i) {
+    const auto& [a, b, c] = sourceCorners_[i];
+    const double u = source_[i].u, v = source_[i].v, w = 1 - u - v;
+    points.x[i] = w * original.x[a] + u * original.x[b] + v * original.x[c];
+    points.y[i] = w * original.y[a] + u * original.y[b] + v * original.y[c];
+    points.z[i] = w * original.z[a] + u * original.z[b] + v * original.z[c];
+  }
+}
+
+PreparedSculpture LiveSculpture::follow(const Level& level, const Mesh& original, int threads) {
+  const std::shared_ptr<Moving> moving = ring_.take(prototype_);
+  Sculpture& sculpture = moving->sculpture;
+  placeSources(original.positions, sculpture.original);
+  const Point& eye = level.camera.eye;
+  const double depthScale = level.sculpture.depthScale;
+  remapSculpture(level.optic, eye, depthScale, sculpture.original, sculpture, threads);
+  sculpture.originalStatus = countStatus(sculpture.status);
+  if (!ownTriangles_) {
+    MappedPoints own;
+    mapPointsThrough(level.optic, eye, original.positions, depthScale, own, threads);
+    sculpture.originalStatus = countStatus(own.status);
+  }
+  const Mesh& mesh = sculpture.mesh;
+  moving->normals = computeNormals(mesh.positions, mesh.triangles, *normalGroups_, threads);
+  moving->bvh.refit(mesh.positions, threads, absentPoints(sculpture.status));
+  return {{moving, &sculpture},
+          {{moving, &sculpture.mesh}, {moving, &moving->bvh}, normalGroups_, {moving, &moving->normals}}};
+}
+
+}  // namespace anamorph

@@ -1,0 +1,68 @@
+// The frame of a drag: original and sculpture follow, their triangles stay. No refinement, no new trees:
+// points are mapped again, normals computed again, trees refitted. What is settled (stages.h) comes after the
+// drag, from the worker.
+//
+//   Level ----> LiveOriginal::place ----> LiveSculpture::follow ----> what the 3D view and the tracer show
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pipeline/buffer_ring.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+
+/// A mesh that moves, with what moves along.
+struct MovingMesh {
+  Mesh mesh;
+  Bvh bvh;
+  std::vector<glm::vec3> normals;
+};
+
+class LiveOriginal {
+ public:
+  /// `shape` is the level's own original before it is placed, `placed` the same mesh prepared at any
+  /// placement.
+  LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh placed);
+
+  /// As prepareMesh(placeOriginal(...)), but for the last bits of the normals and the shape of the tree.
+  PreparedMesh place(bool unitized, const Placement& placement, int threads);
+
+ private:
+  std::shared_ptr<const Mesh> shape_;
+  std::shared_ptr<const Mesh> unitized_;  // made when it is asked for
+  PreparedMesh start_;
+  MovingMesh prototype_;
+  BufferRing<MovingMesh> ring_;
+};
+
+class LiveSculpture {
+ public:
+  /// Keeps the triangles of `settled` when every vertex of the original is mapped in it. Otherwise some are
+  /// missing there that may come into view, and the original's own triangles are taken, unrefined.
+  LiveSculpture(const PreparedMesh& original, const PreparedSculpture& settled);
+
+  /// The sculpture of a changed level without findProblem; `original` is placed, with the triangles of the
+  /// constructor's. Triangles with an unmapped corner are still in the mesh, but not in the tree: their
+  /// corners' status tells. The winding is that of the triangles kept.
+  PreparedSculpture follow(const Level& level, const Mesh& original, int threads);
+
+ private:
+  struct Moving {
+    Sculpture sculpture;
+    Bvh bvh;
+    std::vector<glm::vec3> normals;
+  };
+  void placeSources(const PointArray& original, PointArray& points) const;
+
+  bool ownTriangles_;
+  std::vector<Triangle> sourceCorners_;  // of every vertex: the original's vertices around it
+  std::vector<VertexSource> source_;
+  std::shared_ptr<const NormalGroups> normalGroups_;
+  Moving prototype_;
+  BufferRing<Moving> ring_;
+};
+
+}  // namespace anamorph

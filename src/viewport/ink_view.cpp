@@ -1,0 +1,56 @@
+#include "viewport/ink_view.h"
+
+#include <glad/gl.h>
+
+#include "viewport/surface_store.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int depthUnit = 4;
+constexpr double dotRadius = 2.2;  // pixels at 100 %
+
+}  // namespace
+
+InkView::InkView() : dots_("dot.vert.glsl", "dot.frag.glsl") {
+  dots_.use();
+  dots_.bindBlock("Scene", 0);
+  dots_.set("positions", SurfaceUnits::positions);
+  dots_.set("depth", depthUnit);
+}
+
+void InkView::update(const ViewportInput& input, const SurfacePlaces& places, const Visible& visible,
+                     const Point& origin, int width, int height) {
+  lines_.update(input.lines, origin);
+  hasOutline_ = OutlineView::wanted(input, visible);
+  hasDots_ = input.display.statusColors && visible.sculpture && !places[0].whole;
+  anything_ = !lines_.empty() || hasOutline_ || hasDots_;
+  if (anything_) mean_.resize(width, height, {TexelFormat::rgba8}, false);
+}
+
+void InkView::draw(const ViewportInput& input, const SurfacePlaces& places, const Texture& depth,
+                   double pixelScale, int number) {
+  mean_.beginSample(number);
+  mean_.sample().bind();
+  const GLfloat nothing[] = {0, 0, 0, 0};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (hasDots_) {
+    drawDots(places, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
+  }
+  if (hasOutline_) outline_.draw(mean_.sample(), input, places, pixelScale);
+  lines_.draw(depth, pixelScale);
+  glDisable(GL_BLEND);
+  mean_.endSample(number);
+}
+
+void InkView::drawDots(const SurfacePlaces& places, const Texture& depth, double pixelScale, int vertices) {
+  if (places[0].triangles == 0) return;
+  depth.bind(depthUnit);
+  dots_.use();
+  dots_.set("radius", static_cast<float>(dotRadius * pixelScale));
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, vertices);
+}
+
+}  // namespace anamorph

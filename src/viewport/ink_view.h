@@ -1,0 +1,41 @@
+// What is drawn over the lit scene in colours of the display: lines, dots, outline. Kept apart from the
+// light, because a mean of ink must not go through the tone curve.
+#pragma once
+
+#include "gl/framebuffer.h"
+#include "gl/shader.h"
+#include "viewport/line_view.h"
+#include "viewport/outline_view.h"
+#include "viewport/scene_block.h"
+#include "viewport/studio_view.h"
+
+namespace anamorph {
+
+class InkView {
+ public:
+  InkView();
+
+  /// What there is to draw for this input; the picture's size.
+  void update(const ViewportInput& input, const SurfacePlaces& places, const Visible& visible,
+              const Point& origin, int width, int height);
+  bool empty() const { return !anything_; }
+
+  /// Adds a sample to the mean, as StudioView::draw. `depth` is of the same sample; `pixelScale`: pixels of
+  /// the picture for one of a line's width.
+  void draw(const ViewportInput& input, const SurfacePlaces& places, const Texture& depth, double pixelScale,
+            int number);
+
+  /// The mean: display colour times alpha, alpha. Undefined while empty().
+  const Texture& ink() const { return mean_.result(); }
+
+ private:
+  void drawDots(const SurfacePlaces& places, const Texture& depth, double pixelScale, int vertices);
+
+  LineView lines_;
+  OutlineView outline_;
+  ShaderProgram dots_;
+  SampleMean mean_;
+  bool anything_ = false, hasOutline_ = false, hasDots_ = false;
+};
+
+}  // namespace anamorph

@@ -1,0 +1,28 @@
+// The orange line around what is selected: first where the thing is, alone and whole (a mask), then a line
+// around that. So a thing is found even where another one hides it.
+#pragma once
+
+#include "gl/framebuffer.h"
+#include "gl/shader.h"
+#include "viewport/scene_block.h"
+
+namespace anamorph {
+
+class OutlineView {
+ public:
+  OutlineView();
+
+  /// Whether there is anything to outline.
+  static bool wanted(const ViewportInput& input, const Visible& visible);
+
+  /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), the scene block
+  /// is written. `pixelScale`: pixels for one of the outline's width.
+  void draw(const Framebuffer& target, const ViewportInput& input, const SurfacePlaces& places,
+            double pixelScale);
+
+ private:
+  ShaderProgram mesh_, plain_, outline_;
+  Framebuffer mask_;
+};
+
+}  // namespace anamorph

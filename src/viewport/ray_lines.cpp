@@ -1,0 +1,217 @@
+#include "viewport/ray_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "anamorphosis/vertex_ray.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double thinnest = 0.4, thickest = 2.5;  // times the thickness, for contributions 0 and 1
+constexpr double missLength = 1.3;                // of |EP|, for vertex rays that meet no mirror
+
+// A way with bends, of which a prefix has been travelled.
+struct Stretch {
+  double begin = 0, end = 0;  // along the way
+
+  /// What share of it lies behind somebody who has come so far.
+  double share(double travelled) const {
+    if (travelled >= end) return 1;
+    return travelled <= begin || end <= begin ? 0 : (travelled - begin) / (end - begin);
+  }
+};
+
+double brightest(const Color& color) {
+  return std::max({color.x, color.y, color.z});
+}
+
+double contributionOf(const RaySegment& segment, const RayTree& tree) {
+  const double whole = brightest(tree.color);
+  return whole > 0 ? std::clamp(brightest(segment.contribution) / whole, 0.0, 1.0) : 0;
+}
+
+bool isShown(const RaySegment& segment, double contribution, const RaySettings& settings) {
+  const bool toLight = segment.kind == RayKind::light || segment.kind == RayKind::shadow;
+  if (toLight && !settings.lightRays) return false;
+  if (segment.kind == RayKind::noHit && settings.hideNoHit) return false;
+  return !(settings.hideNegligible && contribution < settings.negligible);
+}
+
+Line lineOf(const RaySegment& segment, double contribution, const RaySettings& settings) {
+  Line line = rayStyle(segment.kind);
+  line.from = segment.from;
+  line.to = segment.to;
+  line.width = settings.thickness;
+  if (settings.thicknessByContribution) line.width *= thinnest + contribution * (thickest - thinnest);
+  // Virtual Ray Tracer's formula.
+  if (settings.alphaByContribution)
+    line.alpha *= std::pow(0.65 * contribution + 0.25, settings.alphaExponent);
+  if (settings.colorByContribution) line.color = glm::clamp(glm::sqrt(segment.contribution), 0.0, 1.0);
+  return line;
+}
+
+// Where each segment begins and ends along the way from the eye.
+std::vector<Stretch> stretchesOf(const RayTree& tree) {
+  std::vector<Stretch> stretches;
+  for (const RaySegment& segment : tree.segments) {
+    const double begin = segment.parent >= 0 ? stretches[segment.parent].end : 0;
+    stretches.push_back({begin, begin + glm::length(segment.to - segment.from)});
+  }
+  return stretches;
+}
+
+double longest(const std::vector<Stretch>& stretches) {
+  double end = 0;
+  for (const Stretch& stretch : stretches) end = std::max(end, stretch.end);
+  return end;
+}
+
+void addPart(std::vector<Line>& lines, Line line, double share) {
+  if (!(share > 0) || !(lengthSquared(line.to - line.from) > 0)) return;
+  if (share < 1) line.to = line.from + share * (line.to - line.from);
+  lines.push_back(line);
+}
+
+template <typename Visit>
+void visitTrees(const std::vector<RayTree>& trees, std::optional<std::size_t> only, const Visit& visit) {
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (!only || *only == i) visit(trees[i]);
+  }
+}
+
+std::vector<VertexRay> sampleVertexRays(const Level& level, const Mesh& original,
+                                        const RaySettings& settings) {
+  std::vector<VertexRay> rays;
+  const std::size_t count = original.positions.size();
+  const std::size_t wanted = std::min<std::size_t>(std::max(settings.vertexCount, 0), count);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    // At the middle of each of `wanted` equal parts of the list.
+    const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
+    rays.push_back(
+        makeVertexRay(level.optic, level.camera.eye, original.positions[vertex], level.sculpture.depthScale));
+  }
+  return rays;
+}
+
+// The two legs of a vertex ray, or the one that it has when it is not mapped.
+std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings) {
+  const bool mapped = ray.status == PathStatus::mapped;
+  if (!mapped && settings.hideNoHit) return {};
+  Line first = rayStyle(mapped ? RayKind::camera : RayKind::noHit), second = rayStyle(RayKind::reflected);
+  first.width = second.width = settings.thickness;
+  first.from = ray.eye;
+  if (!mapped) {
+    first.to = ray.status == PathStatus::missesMirror ? ray.eye + missLength * (ray.original - ray.eye)
+                                                      : ray.original;
+    return {first};
+  }
+  first.to = second.from = ray.mirror;
+  second.to = ray.sculpture;
+  return {first, second};
+}
+
+double lengthOf(const std::vector<Line>& legs) {
+  double length = 0;
+  for (const Line& leg : legs) length += glm::length(leg.to - leg.from);
+  return length;
+}
+
+double secondsFor(double length, const RaySettings& settings) {
+  return settings.animate && settings.speed > 0 ? length / settings.speed : 0;
+}
+
+double travelledIn(double seconds, const RaySettings& settings) {
+  return settings.animate ? seconds * settings.speed : std::numeric_limits<double>::infinity();
+}
+
+Color hex(int rgb) {
+  return Color((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
+}
+
+}  // namespace
+
+Line rayStyle(RayKind kind) {
+  Line line;
+  line.arrow = true;
+  switch (kind) {
+    case RayKind::camera:
+      line.color = hex(0x0072B2);
+      break;
+    case RayKind::reflected:
+      line.color = hex(0xD55E00);
+      line.style = LineStyle::dashed;
+      break;
+    case RayKind::light:
+      line.color = hex(0xF0E442);
+      line.style = LineStyle::dotted;
+      break;
+    case RayKind::shadow:
+      line.color = hex(0x555555);
+      line.style = LineStyle::dotted;
+      line.arrow = false;
+      break;
+    case RayKind::noHit:
+      line.color = hex(0x999999);
+      line.alpha = 0.5;
+      line.arrow = false;
+      break;
+  }
+  return line;
+}
+
+std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySettings& settings,
+                                std::optional<std::size_t> only, double seconds) {
+  std::vector<Line> lines;
+  double travelled = travelledIn(seconds, settings);
+  visitTrees(trees, only, [&](const RayTree& tree) {
+    const std::vector<Stretch> stretches = stretchesOf(tree);
+    for (std::size_t i = 0; i < tree.segments.size(); ++i) {
+      const double contribution = contributionOf(tree.segments[i], tree);
+      if (!isShown(tree.segments[i], contribution, settings)) continue;
+      addPart(lines, lineOf(tree.segments[i], contribution, settings), stretches[i].share(travelled));
+    }
+    if (settings.animate && settings.sequential) travelled -= longest(stretches);
+  });
+  return lines;
+}
+
+std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, const RaySettings& settings,
+                                     double seconds) {
+  std::vector<Line> lines;
+  double travelled = travelledIn(seconds, settings);
+  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+    double begin = 0;
+    for (const Line& leg : legsOf(ray, settings)) {
+      const double end = begin + glm::length(leg.to - leg.from);
+      addPart(lines, leg, Stretch{begin, end}.share(travelled));
+      begin = end;
+    }
+    if (settings.animate && settings.sequential) travelled -= begin;
+  }
+  return lines;
+}
+
+double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings& settings,
+                            std::optional<std::size_t> only) {
+  double most = 0, sum = 0;
+  visitTrees(trees, only, [&](const RayTree& tree) {
+    const double length = longest(stretchesOf(tree));
+    most = std::max(most, length);
+    sum += length;
+  });
+  return secondsFor(settings.sequential ? sum : most, settings);
+}
+
+double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings) {
+  double most = 0, sum = 0;
+  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+    const double length = lengthOf(legsOf(ray, settings));
+    most = std::max(most, length);
+    sum += length;
+  }
+  return secondsFor(settings.sequential ? sum : most, settings);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,235 @@
+#include "viewport/scene_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include <glm/ext/vector_double4.hpp>
+
+#include "optics/plane_mirror.h"
+#include "raytrace/scene.h"
+#include "raytrace/tracer.h"
+
+namespace anamorph {
+namespace {
+
+constexpr Material rtCameraMaterial{Color(0.055, 0.06, 0.07), 0.5, 0.9, 0.35, 30};
+constexpr Color mappedColor(0, 0.342, 0.171);  // bluish green of Okabe and Ito, linear light
+constexpr double markerRadius = 0.018;         // in radii of the scene
+
+glm::vec4 pack(const Vector& v, double w = 0) {
+  return glm::vec4(glm::dvec4(v, w));
+}
+
+std::array<glm::vec4, 2> pack(const Material& m) {
+  return {pack(m.color, m.ambient), glm::vec4(glm::dvec4(m.diffuse, m.specular, m.shininess, 0))};
+}
+
+/// A pose that can be computed with, whatever was asked for.
+ViewPose sound(ViewPose pose) {
+  const bool finite = isFinite(pose.eye) && isFinite(pose.target) && isFinite(pose.up) &&
+                      lengthSquared(pose.target - pose.eye) < 1e30 && std::isfinite(pose.fovDegrees);
+  if (!finite) return {};
+  if (!(lengthSquared(pose.up) > 0)) pose.up = {0, 0, 1};
+  pose.fovDegrees = std::clamp(pose.fovDegrees, 0.01, 179.0);
+  return pose;
+}
+
+/// The shape's part of the block; places relative to `origin`.
+struct MirrorPacker {
+  SceneBlock& block;
+  const Point& origin;
+
+  int operator()(const PlaneMirror& plane) const {
+    const Direction normal = planeNormal(plane);
+    double longest = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Point &a = plane.corners[i], &b = plane.corners[(i + 1) % 4];
+      const Direction inward = glm::normalize(glm::cross(normal, b - a));
+      block.mirrorEdges[i] = pack(inward, glm::dot(inward, a - origin));
+      longest = std::max(longest, glm::length(b - a));
+    }
+    block.mirror = pack(plane.corners[0] - origin);
+    block.mirrorAxis = pack(normal, longest);
+    return 1;
+  }
+  int operator()(const CylinderMirror& cylinder) const {
+    const Vector axis = cylinder.top - cylinder.bottom;
+    block.mirror = pack(cylinder.bottom - origin, cylinder.radius);
+    block.mirrorAxis = pack(glm::normalize(axis), glm::length(axis));
+    return 2;
+  }
+  int operator()(const SphereMirror& sphere) const {
+    block.mirror = pack(sphere.centre - origin, sphere.radius);
+    return 3;
+  }
+};
+
+void packView(SceneBlock& block, const ViewportInput& input, const Point& origin, int width, int height,
+              const Pixel& shift) {
+  const ViewProjection view(sound(input.pose), width, height);
+  block.eye = pack(view.eye() - origin);
+  block.right = pack(view.frame().right, width);
+  block.up = pack(view.frame().up, height);
+  block.forward = pack(view.frame().forward, view.orthographic());
+  block.lens = glm::vec4(glm::dvec4(2 * view.halfHeight() / height, shift.x, shift.y, 0));
+}
+
+/// As near to the meshes as can be, so that the depth buffer tells their triangles apart.
+void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure,
+                const SurfacePlaces& places) {
+  const ViewPose pose = sound(input.pose);
+  const ViewProjection view(pose, 1, 1);
+  double near = std::numeric_limits<double>::infinity(), far = 0;
+  for (const SurfacePlace& place : places) {
+    if (place.triangles == 0) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Box& box = place.box;
+      const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                    corner & 4 ? box.max.z : box.min.z);
+      const double depth = glm::dot(p - view.eye(), view.frame().forward);
+      near = std::min(near, depth);
+      far = std::max(far, depth);
+    }
+  }
+  far = std::max(1.01 * far, 1e-3 * measure.radius);
+  near = std::clamp(0.99 * near, view.orthographic() ? 0.0 : 1e-5 * far, 0.9 * far);
+  const double unit = 1e-3 * measure.radius;
+  const double end = glm::length(view.eye() - measure.centre) + 100 * measure.radius;
+  block.depthRange = glm::vec4(glm::dvec4(near, far, 1 / unit, 1 / std::log2(1 + end / unit)));
+}
+
+void packStudio(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure) {
+  const Level& level = input.level;
+  const Background& background = input.display.background ? *input.display.background : level.background;
+  const Ground ground;
+  const Vector cells = measure.centre / ground.gridSpacing;
+  block.studio = glm::vec4(glm::dvec4(measure.radius, measure.epsilon, markerRadius * measure.radius, 0));
+  block.backgroundTop = pack(background.top, input.transparent);
+  block.backgroundBottom = pack(background.bottom);
+  block.ground = glm::vec4(glm::dvec4(level.ground.height - measure.centre.z, ground.gridSpacing,
+                                      ground.gridSpacing * (cells.x - std::floor(cells.x)),
+                                      ground.gridSpacing * (cells.y - std::floor(cells.y))));
+  block.groundMatter = pack(ground.material);
+}
+
+int packLights(SceneBlock& block, const Level& level, const Point& origin) {
+  int count = 0;
+  for (const PointLight& light : level.lights) {
+    if (count == gpuLightLimit) break;
+    block.lightPlace[count] = pack(isFinite(light.position) ? light.position - origin : Point(0));
+    block.lightColor[count] = pack(light.intensity * light.color);
+    ++count;
+  }
+  return count;
+}
+
+void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& visible,
+                  const SurfacePlaces& places, const Point& origin) {
+  const DisplaySettings& display = input.display;
+  Material sculpture = input.level.sculpture.material;
+  if (display.statusColors) sculpture.color = mappedColor;
+  const Material* materials[] = {&sculpture, &input.level.original.material, &rtCameraMaterial};
+  const bool solidOriginal = visible.original && !visible.ghost;
+  const bool mirroredOriginal = visible.original && display.originalInMirror;
+  constexpr int inMirror = 1, castsShadow = 2, castsInMirror = 4, hasWires = 8, wholeMesh = 16;
+  const int flags[] = {
+      visible.sculpture * (inMirror | castsShadow | castsInMirror) | visible.wires * hasWires,
+      mirroredOriginal * inMirror | solidOriginal * castsShadow |
+          (solidOriginal && mirroredOriginal) * castsInMirror,
+      visible.rtCamera * inMirror};
+  for (int i = 0; i < gpuSurfaceCount; ++i) {
+    const SurfacePlace& place = places[i];
+    const bool there = place.triangles > 0;
+    const auto matter = pack(*materials[i]);
+    std::copy(matter.begin(), matter.end(), &block.matter[2 * i]);
+    block.surfaceCentre[i] = pack(place.centre - origin, place.radius);
+    block.surfaceLow[i] = pack(there ? place.box.min - origin : Vector(0));
+    block.surfaceHigh[i] = pack(there ? place.box.max - origin : Vector(0));
+    block.surfacePlace[i] = place.first;
+    block.surfaceSize[i] = {place.triangles, there ? flags[i] | place.whole * wholeMesh : 0, place.root, 0};
+  }
+}
+
+void packScreen(SceneBlock& block, const ViewportInput& input, const Point& origin) {
+  const Camera& camera = input.level.camera;
+  const Projection projection(camera, std::max(camera.gridColumns, 1), std::max(camera.gridRows, 1));
+  const Frame& frame = projection.frame();
+  const double height = 2 * camera.screenDistance * std::tan(radians(camera.fovDegrees) / 2);
+  const double width = height * projection.width() / projection.height();
+  const Point middle = camera.eye + camera.screenDistance * frame.forward;
+  block.screenCorner = pack(middle - 0.5 * width * frame.right + 0.5 * height * frame.up - origin,
+                            std::clamp(input.display.screenOpacity, 0.0, 1.0));
+  block.screenRight = pack(width * frame.right, projection.width());
+  block.screenDown = pack(-height * frame.up, projection.height());
+}
+
+}  // namespace
+
+bool Visible::surface(GpuSurface which) const {
+  return which == GpuSurface::sculpture ? sculpture : which == GpuSurface::original ? original : rtCamera;
+}
+
+Visible findVisible(const ViewportInput& input, const SurfacePlaces& places, double sceneRadius) {
+  const DisplaySettings& display = input.display;
+  const Camera& camera = input.level.camera;
+  const auto there = [&](GpuSurface which) { return places[static_cast<int>(which)].triangles > 0; };
+  Visible visible;
+  visible.sculpture = display.sculpture && there(GpuSurface::sculpture);
+  visible.wires = visible.sculpture && display.wireframe;
+  visible.original = display.originalLook != OriginalLook::hidden && there(GpuSurface::original);
+  visible.ghost = visible.original && display.originalLook == OriginalLook::ghost;
+  const bool outside = glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(camera, sceneRadius);
+  const bool shown = display.rtCamera && outside && isFinite(camera.eye) && isFinite(camera.target);
+  visible.rtCamera = shown && there(GpuSurface::rtCamera);
+  visible.screen = shown && display.screenOpacity > 0 && camera.screenDistance > 0 && input.screen &&
+                   !input.screen->pixels.empty();
+  visible.mirror = !findShapeProblem(input.level.optic.shape);
+  return visible;
+}
+
+double rtCameraSize(const Camera& camera, double sceneRadius) {
+  const double size = 0.05 * sceneRadius;
+  return camera.screenDistance > 0 ? std::min(size, 0.6 * camera.screenDistance) : size;
+}
+
+SceneMeasure measureScene(const Level& level, const Box& sculpture) {
+  // The tracer's own measure, of a stand-in with the same box.
+  SceneInput input;
+  if (!sculpture.empty() && isFinite(sculpture.min) && isFinite(sculpture.max)) {
+    auto corners = std::make_shared<Mesh>();
+    corners->positions.push_back(sculpture.min);
+    corners->positions.push_back(sculpture.max);
+    MeshSurface surface;
+    surface.mesh = corners;
+    surface.bvh = std::make_shared<const Bvh>();
+    input.surfaces.push_back(surface);
+  }
+  if (!findShapeProblem(level.optic.shape)) input.optic = OpticSurface{level.optic};
+  const RenderScene scene = buildScene(std::move(input));
+  if (!isFinite(scene.centre)) return {};
+  return {scene.centre, scene.radius, scene.epsilon};
+}
+
+SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure,
+                          const SurfacePlaces& places, const Visible& visible, int width, int height,
+                          const Pixel& shift) {
+  SceneBlock block{};
+  const Level& level = input.level;
+  packView(block, input, measure.centre, width, height, shift);
+  packDepths(block, input, measure, places);
+  packStudio(block, input, measure);
+  packSurfaces(block, input, visible, places, measure.centre);
+  if (visible.screen) packScreen(block, input, measure.centre);
+  const int mirror = visible.mirror ? std::visit(MirrorPacker{block, measure.centre}, level.optic.shape) : 0;
+  block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);
+  const int lights = packLights(block, level, measure.centre);
+  block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), mirror,
+                  level.ground.visible && !input.transparent};
+  block.options = {level.tracing.shadows, input.display.lightMarkers,
+                   visible.original ? 1 + visible.ghost : 0, 0};
+  return block;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,82 @@
+// What every pass needs to know of the scene, as the shaders read it: shaders/scene.glsl has the same fields
+// in the same order. Made from the input by a pure function; only here do doubles become floats.
+//
+// Places are relative to `origin`, the middle of what is lit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <glm/vec4.hpp>
+
+#include "viewport/viewport.h"
+
+namespace anamorph {
+
+constexpr int gpuSurfaceCount = 3;
+constexpr int gpuLightLimit = 16;
+
+/// Which mesh is which in the shaders.
+enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2 };
+
+/// Every field is a multiple of 16 bytes, so that std140 and C++ agree.
+struct SceneBlock {
+  glm::vec4 eye, right, up, forward, lens, depthRange;
+  glm::vec4 studio, backgroundTop, backgroundBottom, ground;
+  std::array<glm::vec4, 2> groundMatter;
+  glm::vec4 mirror, mirrorAxis;
+  std::array<glm::vec4, 4> mirrorEdges;
+  glm::vec4 mirrorTint;
+  std::array<glm::vec4, gpuSurfaceCount> surfaceCentre, surfaceLow, surfaceHigh;
+  std::array<glm::vec4, 2 * gpuSurfaceCount> matter;
+  std::array<glm::vec4, gpuLightLimit> lightPlace, lightColor;
+  glm::vec4 screenCorner, screenRight, screenDown;
+  glm::ivec4 counts, options;
+  std::array<glm::ivec4, gpuSurfaceCount> surfacePlace, surfaceSize;
+};
+static_assert(sizeof(SceneBlock) % 16 == 0);
+
+/// Where a surface is in the textures, and its box.
+struct SurfacePlace {
+  glm::ivec4 first{0};  ///< node, triangle, vertex, normal
+  int triangles = 0;    ///< 0: there is none
+  int root = 0;         ///< link and count of the root node, 8 * link + count
+  bool whole = true;    ///< every vertex is usable
+  Point centre{0};
+  double radius = 0;
+  Box box;  ///< of its vertices
+};
+using SurfacePlaces = std::array<SurfacePlace, gpuSurfaceCount>;
+
+/// What is drawn of the input, decided once for all passes.
+struct Visible {
+  bool sculpture = false;
+  bool original = false;  ///< solid or ghost
+  bool ghost = false;
+  bool rtCamera = false;
+  bool wires = false;
+  bool screen = false;
+  bool mirror = false;
+
+  bool surface(GpuSurface which) const;
+};
+Visible findVisible(const ViewportInput& input, const SurfacePlaces& places, double sceneRadius);
+
+/// Half the length of the RT camera's model, scene units.
+double rtCameraSize(const Camera& camera, double sceneRadius);
+
+/// As the tracer measures its scene, which is mirror and sculpture (raytrace/scene.h).
+struct SceneMeasure {
+  Point centre{0};
+  double radius = 1;
+  double epsilon = 0;
+};
+SceneMeasure measureScene(const Level& level, const Box& sculpture);
+
+/// For a picture of width x height pixels, whose size may differ from the input's; `shift` moves the sample
+/// away from the middles of the pixels, right and up.
+SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure,
+                          const SurfacePlaces& places, const Visible& visible, int width, int height,
+                          const Pixel& shift);
+
+}  // namespace anamorph

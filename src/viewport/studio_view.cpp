@@ -1,0 +1,155 @@
+#include "viewport/studio_view.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#include <glm/vec4.hpp>
+
+#include "viewport/surface_store.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int seenUnit = 4, ghostUnit = 5, screenUnit = 6, sampleUnit = 4;
+
+void useSurfaceUnits(const ShaderProgram& program) {
+  program.use();
+  program.bindBlock("Scene", 0);
+  program.set("nodes", SurfaceUnits::nodes);
+  program.set("positions", SurfaceUnits::positions);
+  program.set("triangles", SurfaceUnits::triangles);
+  program.set("normals", SurfaceUnits::normals);
+}
+
+}  // namespace
+
+SampleMean::SampleMean() : copy_("full_screen.vert.glsl", "copy.frag.glsl") {
+  copy_.use();
+  copy_.set("source", sampleUnit);
+}
+
+void SampleMean::resize(int width, int height, std::initializer_list<TexelFormat> formats, bool withDepth) {
+  if (sample_.width() == width && sample_.height() == height) return;
+  for (Framebuffer* old : {&sample_, &mean_}) *old = Framebuffer();  // before new ones, which are large
+  sample_ = Framebuffer(width, height, formats, withDepth);
+}
+
+void SampleMean::beginSample(int number) {
+  single_ = number == 0;
+  if (number != 1) return;
+  if (mean_.empty()) mean_ = Framebuffer(sample_.width(), sample_.height(), {TexelFormat::rgba16f});
+  copySample();
+}
+
+void SampleMean::endSample(int number) {
+  if (number == 0) return;
+  glEnable(GL_BLEND);
+  glBlendColor(0, 0, 0, 1.0f / static_cast<float>(number + 1));
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  copySample();
+  glDisable(GL_BLEND);
+}
+
+void SampleMean::copySample() const {
+  mean_.bind();
+  sample_.color().bind(sampleUnit);
+  copy_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+StudioView::StudioView()
+    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
+      noGhost_(TexelFormat::r32ui, 1, 1),
+      screen_(TexelFormat::rgba32f, 1, 1) {
+  useSurfaceUnits(triangles_);
+  const std::array<float, 4> black{};
+  screen_.write(0, 0, 1, 1, black.data());
+}
+
+void StudioView::resize(int width, int height) {
+  mean_.resize(width, height, {TexelFormat::rgba16f, TexelFormat::r32f}, true);
+  if (seen_.width() == width && seen_.height() == height) return;
+  for (Framebuffer* old : {&seen_, &seenGhost_}) *old = Framebuffer();
+  seen_ = Framebuffer(width, height, {TexelFormat::r32ui}, true);
+}
+
+void StudioView::setScreen(const std::shared_ptr<const Image>& screen) {
+  if (screen == shown_) return;
+  shown_ = screen;
+  if (!screen || screen->pixels.empty()) return;
+  if (screen->width > Texture::maxSize() || screen->height > Texture::maxSize()) return;
+  std::vector<glm::vec4> texels;
+  texels.reserve(screen->pixels.size());
+  for (const glm::vec3& pixel : screen->pixels) texels.emplace_back(pixel, 1);
+  if (screen_.width() != screen->width || screen_.height() != screen->height) {
+    screen_ = Texture(TexelFormat::rgba32f, screen->width, screen->height);
+  }
+  screen_.write(0, 0, screen->width, screen->height, texels.data());
+}
+
+void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, const Visible& visible,
+                      int number) {
+  mean_.beginSample(number);
+  drawTriangles(seen_, places, visible, false);
+  if (visible.ghost) {
+    if (seenGhost_.empty())
+      seenGhost_ = Framebuffer(seen_.width(), seen_.height(), {TexelFormat::r32ui}, true);
+    drawTriangles(seenGhost_, places, visible, true);
+  }
+  mean_.sample().bind();
+  seen_.color().bind(seenUnit);
+  (visible.ghost ? seenGhost_.color() : noGhost_).bind(ghostUnit);
+  screen_.bind(screenUnit);
+  // What the first pass leaves out keeps the farthest depth, and only there the second one passes the depth
+  // test.
+  const GLfloat farthest = 1;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  for (const bool traced : {false, true}) drawPixels({scene.counts.z, visible.ghost, visible.wires, traced});
+  glDisable(GL_DEPTH_TEST);
+  mean_.endSample(number);
+}
+
+void StudioView::drawPixels(const PixelProgram& kind) {
+  ShaderProgram& program = studio_[kind];
+  if (program.empty()) {
+    std::vector<std::string> defines{fmt::format("MIRROR_KIND {}", kind.mirrorKind)};
+    if (kind.traced) defines.emplace_back("TRACED");
+    if (kind.ghost) defines.emplace_back("GHOST");
+    if (kind.wires) defines.emplace_back("WIRES");
+    program = ShaderProgram("full_screen.vert.glsl", "studio.frag.glsl", defines);
+    useSurfaceUnits(program);
+    program.set("seen", seenUnit);
+    program.set("seenGhost", ghostUnit);
+    program.set("screen", screenUnit);
+    program.set("place", kind.traced ? 1.0f : 0.0f);
+  }
+  program.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void StudioView::drawTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
+                               bool ghost) {
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  const std::array<GLuint, 4> nothing{};
+  const GLfloat farthest = 1;
+  glClearBufferuiv(GL_COLOR, 0, nothing.data());
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  triangles_.use();
+  for (const GpuSurface surface : {GpuSurface::sculpture, GpuSurface::original, GpuSurface::rtCamera}) {
+    const bool isGhost = surface == GpuSurface::original && visible.ghost;
+    if (!visible.surface(surface) || isGhost != ghost) continue;
+    triangles_.set("surface", static_cast<int>(surface));
+    glDrawArrays(GL_TRIANGLES, 0, 3 * places[static_cast<int>(surface)].triangles);
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,78 @@
+// The lit scene. First the meshes are drawn, which tells the triangle that each pixel sees; then passes over
+// all pixels meet mirror, ground and sky, and shade (shaders/studio.frag.glsl). So nothing is shaded that is
+// not seen, and direct view and reflection go through the same shading.
+#pragma once
+
+#include <compare>
+#include <initializer_list>
+#include <map>
+#include <memory>
+
+#include "gl/framebuffer.h"
+#include "gl/shader.h"
+#include "raytrace/image.h"
+#include "viewport/scene_block.h"
+
+namespace anamorph {
+
+/// A picture that is the mean of samples. Each is drawn into sample(), then added.
+class SampleMean {
+ public:
+  SampleMean();
+
+  /// All formats of a sample's framebuffer; the mean is of the first.
+  void resize(int width, int height, std::initializer_list<TexelFormat> formats, bool withDepth);
+  const Framebuffer& sample() const { return sample_; }
+  /// Call before sample number `number` is drawn, and after it.
+  void beginSample(int number);
+  void endSample(int number);
+
+  const Texture& result() const { return single_ ? sample_.color() : mean_.color(); }
+
+ private:
+  void copySample() const;
+
+  ShaderProgram copy_;
+  Framebuffer sample_, mean_;
+  bool single_ = true;  // a mean of one is that one: the mean is not made before a second sample comes
+};
+
+class StudioView {
+ public:
+  StudioView();
+
+  void resize(int width, int height);
+  /// The image on the RT camera's pixel grid; null: none.
+  void setScreen(const std::shared_ptr<const Image>& screen);
+
+  /// Adds a sample to the mean; number 0 begins a new one. The textures of the meshes are bound, the scene
+  /// block is written.
+  void draw(const SceneBlock& scene, const SurfacePlaces& places, const Visible& visible, int number);
+
+  /// The mean: linear light times alpha, alpha.
+  const Texture& light() const { return mean_.result(); }
+  /// Of the last sample, for lines: lineDepth() of shaders/camera.glsl.
+  const Texture& depth() const { return mean_.sample().color(1); }
+
+ private:
+  /// What a program is made for, see studio.frag.glsl.
+  struct PixelProgram {
+    int mirrorKind = 0;
+    bool ghost = false, wires = false, traced = false;
+    auto operator<=>(const PixelProgram&) const = default;
+  };
+
+  void drawTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
+                     bool ghost);
+  void drawPixels(const PixelProgram& kind);
+
+  ShaderProgram triangles_;
+  std::map<PixelProgram, ShaderProgram> studio_;  // made when needed
+  Framebuffer seen_, seenGhost_;
+  SampleMean mean_;
+  Texture noGhost_;  // one texel: nothing seen
+  Texture screen_;
+  std::shared_ptr<const Image> shown_;
+};
+
+}  // namespace anamorph

@@ -1,0 +1,62 @@
+// The graphics card's copies of the meshes: what rays and triangles need of them, in four textures
+// (shaders/bvh.glsl). Copies follow pointers: another pointer, another upload; what keeps its pointer stays.
+// While a mesh only moves, its triangles are not sent again.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "gl/texture.h"
+#include "viewport/scene_block.h"
+
+namespace anamorph {
+
+/// A mesh to be copied; null pointers: there is none.
+struct SurfaceSource {
+  PreparedMesh prepared;
+  std::shared_ptr<const Sculpture> sculpture;  ///< for the status of its vertices; null: all are usable
+
+  bool operator==(const SurfaceSource&) const = default;
+};
+using SurfaceSources = std::array<SurfaceSource, gpuSurfaceCount>;
+
+/// Texture units that the textures are read at.
+struct SurfaceUnits {
+  static constexpr int nodes = 0, positions = 1, triangles = 2, normals = 3;
+};
+
+class SurfaceStore {
+ public:
+  SurfaceStore();
+
+  /// Uploads what has changed.
+  void update(const SurfaceSources& sources);
+  void bind() const;
+
+  const SurfacePlaces& places() const { return places_; }
+  /// Which meshes are left out because the graphics card's textures are too small for them; empty: none.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  static constexpr int arrayCount = 4;
+  using Lengths = std::array<std::array<std::size_t, gpuSurfaceCount>, arrayCount>;
+
+  void leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& lengths);
+  void place(int i, const SurfaceSource& source);
+  void writePositions(int i, const SurfaceSource& source);
+  void writeNormals(int i, const SurfaceSource& source);
+  void writeNodes(int i, const SurfaceSource& source);
+  void writeTriangles(int i, const SurfaceSource& source);
+
+  std::array<TexelArrays, arrayCount> arrays_;  // in the order of SurfaceUnits
+  SurfaceSources sources_;                      // what is there
+  SurfacePlaces places_;
+  std::string problem_;
+  std::vector<glm::vec4> floats_;    // for sending
+  std::vector<glm::uvec4> numbers_;  // the same
+};
+
+}  // namespace anamorph

@@ -1,0 +1,214 @@
+#include "viewport/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include "base/check.h"
+#include "gl/framebuffer.h"
+#include "gl/gl_error.h"
+#include "gl/shader.h"
+#include "viewport/camera_model.h"
+#include "viewport/ink_view.h"
+#include "viewport/scene_block.h"
+#include "viewport/studio_view.h"
+#include "viewport/surface_store.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int lightUnit = 4, inkUnit = 5;
+
+/// Spreads evenly over the pixel however many are taken (Roberts 2018, the R2 sequence); the first is its
+/// middle.
+Pixel sampleShift(int sample) {
+  const double x = 0.5 + sample * 0.7548776662466927, y = 0.5 + sample * 0.5698402909980532;
+  return {x - std::floor(x) - 0.5, y - std::floor(y) - 0.5};
+}
+
+/// Others who draw in this context may have left anything.
+void resetStates() {
+  for (const GLenum state : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_STENCIL_TEST,
+                             GL_DITHER, GL_POLYGON_OFFSET_FILL, GL_SAMPLE_ALPHA_TO_COVERAGE}) {
+    glDisable(state);
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glBlendEquation(GL_FUNC_ADD);
+  constexpr GLuint units = 8;
+  for (GLuint unit = 0; unit < units; ++unit) glBindSampler(unit, 0);
+}
+
+/// Found again only for another mesh.
+class BoxOfMesh {
+ public:
+  const Box& operator()(const std::shared_ptr<const Mesh>& mesh) {
+    if (mesh != mesh_) box_ = mesh ? boundingBox(mesh->positions) : Box{};
+    mesh_ = mesh;
+    return box_;
+  }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+  Box box_;
+};
+
+/// The model of the RT camera, made again only for another camera.
+class ModelOfCamera {
+ public:
+  const PreparedMesh& operator()(const Camera& camera, double size) {
+    const std::pair key(camera, size);
+    if (key_ == key) return model_;
+    key_ = key;
+    const bool finite = isFinite(camera.eye) && isFinite(camera.target) && isFinite(camera.up);
+    model_ = finite ? makeCameraModel(camera, size) : PreparedMesh{};
+    return model_;
+  }
+
+ private:
+  std::optional<std::pair<Camera, double>> key_;
+  PreparedMesh model_;
+};
+
+}  // namespace
+
+struct Viewport::Parts {
+  Parts() {
+    resolve.use();
+    resolve.set("light", lightUnit);
+    resolve.set("ink", inkUnit);
+    glGenVertexArrays(1, &noVertices);
+  }
+  ~Parts() { glDeleteVertexArrays(1, &noVertices); }
+
+  void begin(const ViewportInput& wanted, double wantedScale);
+  void addSample();
+  void finish();
+
+  // What is drawn, how large, and how far.
+  ViewportInput input;
+  double scale = 0;  // 0: nothing yet
+  int done = 0, asked = 1;
+
+  SurfaceStore surfaces;
+  StudioView studio;
+  InkView ink;
+  UniformBuffer block{0};
+  ShaderProgram resolve{"full_screen.vert.glsl", "resolve.frag.glsl"};
+  Framebuffer picture;
+  GLuint noVertices = 0;
+
+  BoxOfMesh sculptureBox;
+  ModelOfCamera cameraModel;
+  SceneMeasure measure;
+  Visible visible;
+};
+
+void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
+  input = wanted;
+  scale = 0;  // until all is prepared: this may throw
+  done = 0;
+  measure = measureScene(input.level, sculptureBox(input.sculpture.prepared.mesh));
+  SurfaceSources sources;
+  sources[0] = {input.sculpture.prepared, input.sculpture.sculpture};
+  sources[1] = {input.original, nullptr};
+  sources[2] = {cameraModel(input.level.camera, rtCameraSize(input.level.camera, measure.radius)), nullptr};
+  surfaces.update(sources);
+  visible = findVisible(input, surfaces.places(), measure.radius);
+  studio.setScreen(input.screen);
+
+  const auto scaled = [&](int size) {
+    return std::max(1, static_cast<int>(std::lround(size * wantedScale)));
+  };
+  const int width = scaled(input.width), height = scaled(input.height);
+  if (picture.width() != width || picture.height() != height) {
+    picture = Framebuffer();
+    picture = Framebuffer(width, height, {TexelFormat::rgba8}, false, true);
+  }
+  studio.resize(width, height);
+  ink.update(input, surfaces.places(), visible, measure.centre, width, height);
+  scale = wantedScale;
+}
+
+void Viewport::Parts::addSample() {
+  const SceneBlock scene = makeSceneBlock(input, measure, surfaces.places(), visible, picture.width(),
+                                          picture.height(), sampleShift(done));
+  block.write(&scene, sizeof scene);
+  surfaces.bind();
+  studio.draw(scene, surfaces.places(), visible, done);
+  if (!ink.empty()) ink.draw(input, surfaces.places(), studio.depth(), input.lineScale * scale, done);
+  ++done;
+}
+
+void Viewport::Parts::finish() {
+  picture.bind();
+  studio.light().bind(lightUnit);
+  if (!ink.empty()) ink.ink().bind(inkUnit);
+  resolve.use();
+  resolve.set("hasInk", ink.empty() ? 0 : 1);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Viewport::Viewport() : parts_(std::make_unique<Parts>()) {
+  checkGl("preparing the 3D view");
+}
+
+Viewport::~Viewport() = default;
+
+bool Viewport::draw(const ViewportInput& input, double scale, int samplesNow, int samples) {
+  CHECK(input.width > 0 && input.height > 0 && scale > 0 && scale <= 1 && samplesNow > 0 && samples > 0);
+  Parts& p = *parts_;
+  const SavedTarget saved;
+  p.asked = samples;
+  const bool changed = p.scale != scale || !(p.input == input);
+  if (!changed && p.done >= samples) return false;
+  resetStates();
+  glBindVertexArray(p.noVertices);
+  if (changed) p.begin(input, scale);
+  for (const int end = std::min(p.done + samplesNow, samples); p.done < end;) p.addSample();
+  p.finish();
+  glBindVertexArray(0);
+  glActiveTexture(GL_TEXTURE0);
+  return true;
+}
+
+bool Viewport::complete() const {
+  return parts_->scale > 0 && parts_->done >= parts_->asked;
+}
+
+std::uint32_t Viewport::texture() const {
+  return parts_->picture.empty() ? 0 : parts_->picture.color().name();
+}
+
+Bitmap Viewport::readBack() const {
+  const Framebuffer& picture = parts_->picture;
+  Bitmap bitmap{picture.width(), picture.height(), 4, {}};
+  const std::size_t rowBytes = 4 * static_cast<std::size_t>(bitmap.width);
+  bitmap.bytes.resize(rowBytes * bitmap.height);
+  if (bitmap.bytes.empty()) return bitmap;
+  const SavedTarget saved;
+  picture.bind();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  glReadPixels(0, 0, bitmap.width, bitmap.height, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data());
+  for (int y = 0; y < bitmap.height / 2; ++y) {
+    std::swap_ranges(bitmap.bytes.begin() + y * rowBytes, bitmap.bytes.begin() + (y + 1) * rowBytes,
+                     bitmap.bytes.begin() + (bitmap.height - 1 - y) * rowBytes);
+  }
+  return bitmap;
+}
+
+std::string Viewport::problem() const {
+  std::string problem = parts_->surfaces.problem();
+  if (parts_->input.level.lights.size() > gpuLightLimit) {
+    problem += fmt::format("{}only the first {} lights are shown in the 3D view", problem.empty() ? "" : "; ",
+                           gpuLightLimit);
+  }
+  return problem;
+}
+
+}  // namespace anamorph

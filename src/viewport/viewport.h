@@ -1,0 +1,79 @@
+// The 3D view: everything of the level drawn by OpenGL into a picture of its own. It reads products and never
+// edits them.
+//
+// Meshes are rasterised; mirror, ground, sky and light markers are met analytically, pixel by pixel. Every
+// surface is lit as the CPU tracer lights it (same materials, shadow rays through the same BVH, same tone
+// curve), and the mirror traces reflected rays through it, so the picture from the RT camera's place is the
+// tracer's picture.
+//
+// Draws only when something changed: the input is a value and is compared. While it stays the same, every
+// call adds samples at other places in the pixels, up to `samples`, and the picture loses its jagged edges;
+// then nothing is drawn at all.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "edit/display_settings.h"
+#include "edit/selection.h"
+#include "edit/view_pose.h"
+#include "level/level.h"
+#include "pipeline/stages.h"
+#include "raytrace/image.h"
+#include "viewport/line.h"
+
+namespace anamorph {
+
+struct ViewportInput {
+  int width = 1, height = 1;  ///< pixels, of the picture at full scale
+  ViewPose pose;
+  Level level;                  ///< optic, looks, materials, lights, ground, camera
+  PreparedMesh original;        ///< all pointers null: not there
+  PreparedSculpture sculpture;  ///< the same; corners whose status is not `mapped` take their triangles out
+  DisplaySettings display;
+  Selection selection;                             ///< is outlined in orange
+  std::shared_ptr<const std::vector<Line>> lines;  ///< may be null
+  std::shared_ptr<const Image>
+      screen;                ///< linear light, shown on the RT camera's pixel grid; null: an empty grid
+  double lineScale = 1;      ///< UI scale
+  bool transparent = false;  ///< no background, no ground: alpha 0 where nothing is
+
+  bool operator==(const ViewportInput&) const = default;
+};
+
+class Viewport {
+ public:
+  /// Needs a current OpenGL 3.3 context (and keeps it for its life). Throws Error when a shader does not
+  /// compile or the context lacks something.
+  Viewport();
+  ~Viewport();
+  Viewport(const Viewport&) = delete;
+  Viewport& operator=(const Viewport&) = delete;
+
+  /// Draws what is missing. A changed input starts anew with `scale` times the size (0.1..1, for slow
+  /// machines while something moves); a changed scale does too. At most `samplesNow` samples are added in
+  /// this call, and none when there are `samples` (1..64) already. Returns whether anything was drawn.
+  bool draw(const ViewportInput& input, double scale, int samplesNow, int samples);
+
+  /// Whether the picture has all the samples asked for last.
+  bool complete() const;
+
+  /// The finished picture: an OpenGL texture name, RGBA8, display-ready (sRGB bytes, straight alpha), first
+  /// row at the bottom as OpenGL has it. Its size is that of the last draw times its scale.
+  std::uint32_t texture() const;
+
+  /// The same, read back: 4 channels, first row at the top.
+  Bitmap readBack() const;
+
+  /// What of the last input could not be shown as it is (a mesh too large for the graphics card), in a
+  /// sentence for the user; empty when all is shown.
+  std::string problem() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace anamorph
