@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds what has changed, and runs Anamorph with the given arguments.
-# Without arguments: renders the levels into out/ and prints their scores.
+# Without arguments: opens the window. Without a display: draws what the window would show of every level, and the
+# levels' pictures, sculptures and scores, into out/.
 set -euo pipefail
 home="$(cd "$(dirname "$0")" && pwd)"
 
@@ -12,8 +13,14 @@ fi
 cmake --build "$home/build/release" --target anamorph |
   { grep --line-buffered -v -e "no work to do" -e "Re-checking globbed" >&2 || true; }
 
-if [ $# -eq 0 ]; then
-  cd "$home"
-  set -- levels -o out
+anamorph="$home/build/release/anamorph"
+if [ $# -gt 0 ] || [ -n "${DISPLAY:-}" ] || [ -n "${WAYLAND_DISPLAY:-}" ]; then
+  exec "$anamorph" "$@"
 fi
-exec "$home/build/release/anamorph" "$@"
+echo "There is no display: the levels are drawn into out/ instead of a window." >&2
+cd "$home"
+"$anamorph" levels -o out
+for level in levels/*.json; do
+  name="$(basename "$level" .json)"
+  "$anamorph" screenshot "$name" -o "out/$name-window.png"
+done

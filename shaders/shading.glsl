@@ -91,12 +91,10 @@ vec3 shade(Hit hit, Ray ray, float travelled, int shadowFlag) {
   if (hit.kind == hitMarker) return markerColor(hit, ray.direction);
   vec3 behind = backgroundColor(ray.direction);
   if (hit.kind == hitNothing) return behind;
-  Matter made;
-  if (hit.kind == hitGround) {
-    made = groundMatterAt(hit.point, footprintAt(travelled) / max(0.02, abs(ray.direction.z)));
-  } else {
-    made = unpack(matter[2 * hit.index], matter[2 * hit.index + 1]);
-  }
+  Matter made = groundMatterAt(hit.point, footprintAt(travelled) / max(0.02, abs(ray.direction.z)));
+#ifdef TRACED
+  if (hit.kind == hitMesh) made = unpack(matter[2 * hit.index], matter[2 * hit.index + 1]);
+#endif
   vec3 color = mix(lit(made, hit, -ray.direction, shadowFlag), behind, hit.fade);
 #ifdef WIRES
   // Edges of triangles that are hardly larger than a pixel would only darken the whole.

@@ -1,8 +1,8 @@
 // The picture, one sample a pixel: which triangle is seen was found by drawing them; mirror, ground, sky and light
 // markers are met here. In front of that lie the ghost of the original and the RT camera's screen.
 //
-// Two programs are made of this. One draws all pixels for which no ray has to go through a tree, and discards the
-// others; with TRACED the other one draws those. With GHOST there is a ghost,
+// Two programs are made of this. The short one draws all pixels that see no mesh, no mirror and no place where a mesh
+// may cast a shadow, and discards the others; the other one, with TRACED, draws those. With GHOST there is a ghost,
 // with WIRES the edges of triangles can be drawn; MIRROR_KIND is that of mirror.glsl.
 #include "shading.glsl"
 
@@ -75,19 +75,26 @@ float finiteLight(float x) {
 
 void main() {
   Ray ray = pixelRay(gl_FragCoord.xy);
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  Corners corners;
-  MeshHit mesh = meetSeen(texelFetch(seen, pixel, 0).x, ray, corners);
   Hit hit = noHit;
+  uint solid = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).x, clear = 0u;
+#ifdef GHOST
+  clear = texelFetch(seenGhost, ivec2(gl_FragCoord.xy), 0).x;
+#endif
+#ifdef TRACED
+  Corners corners;
+  MeshHit mesh = meetSeen(solid, ray, corners);
   if (mesh.surface >= 0) hit = meshHit(mesh, corners, ray);
+#else
+  if (solid + clear > 0u) discard;
+#endif
   findPlainHit(ray, hit);
   bool empty = hit.kind == hitNothing && backgroundTop.w > 0.5;
   vec4 result = empty ? vec4(0.0) : vec4(follow(ray, hit), 1.0);
 
   vec4 ghost = vec4(0.0);
   float ghostT = 1e30;
-#ifdef GHOST
-  MeshHit ghostMesh = meetSeen(texelFetch(seenGhost, pixel, 0).x, ray, corners);
+#if defined(GHOST) && defined(TRACED)
+  MeshHit ghostMesh = meetSeen(clear, ray, corners);
   if (ghostMesh.surface >= 0) {
     ghost = ghostColor(meshHit(ghostMesh, corners, ray), ray);
     ghostT = ghostMesh.t;

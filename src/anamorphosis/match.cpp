@@ -22,31 +22,20 @@ struct PixelResult {
   bool sameTriangle = false;
 };
 
-// Corner numbers that are the same for corners at the same place, so that "touches" works across texture
-// seams.
-std::vector<Triangle> weldedCorners(const Mesh& mesh) {
-  const std::vector<std::uint32_t> vertexOf = weldPositions(mesh).vertexOf;
-  std::vector<Triangle> corners = mesh.triangles;
-  for (Triangle& t : corners) {
-    for (std::uint32_t& corner : t) corner = vertexOf[corner];
-  }
-  return corners;
-}
-
-// The same triangle, or one that shares an edge with it.
-bool touch(const Triangle& a, const Triangle& b) {
+// The same triangle, or one that shares an edge with it. Corners at the same place are the same, so that it works
+// across texture seams, where files repeat positions.
+bool touch(const PointArray& points, const Triangle& a, const Triangle& b) {
   const auto shared = std::count_if(a.begin(), a.end(), [&](std::uint32_t corner) {
-    return std::find(b.begin(), b.end(), corner) != b.end();
+    return std::any_of(b.begin(), b.end(),
+                       [&](std::uint32_t other) { return corner == other || points[corner] == points[other]; });
   });
   return shared >= 2;
 }
 
 class Matcher {
  public:
-  Matcher(const MatchInput& input)
-      : input_(input),
-        projection_(input.camera, input.width, input.height),
-        corners_(weldedCorners(*input.original)) {}
+  explicit Matcher(const MatchInput& input)
+      : input_(input), projection_(input.camera, input.width, input.height) {}
 
   PixelResult pixel(int x, int y) const {
     const Pixel sample = matchSample(x, y);
@@ -66,7 +55,9 @@ class Matcher {
       const auto seenAt = projection_.pixelOf(reflected->original);
       const double error = seenAt ? glm::length(*seenAt - sample) : worstError();
       result.errorPx = static_cast<float>(std::min(error, worstError()));
-      result.sameTriangle = touch(corners_[direct.triangle], corners_[reflected->sourceTriangle]);
+      const auto& triangles = input_.original->triangles;
+      result.sameTriangle = touch(input_.original->positions, triangles[direct.triangle],
+                                  triangles[reflected->sourceTriangle]);
     } else if (seesOriginal) {
       result.kind = !meetsMirror ? PixelClass::missed
                     : hidden     ? PixelClass::hidden
@@ -103,7 +94,6 @@ class Matcher {
 
   const MatchInput& input_;
   Projection projection_;
-  std::vector<Triangle> corners_;
 };
 
 MatchReport summarize(const std::vector<PixelResult>& pixels, const MatchInput& input) {

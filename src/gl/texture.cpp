@@ -37,6 +37,13 @@ FormatNames namesOf(TexelFormat format) {
   return {};
 }
 
+/// Textures are made and written at a unit that no pass reads, so that what is bound for a pass stays.
+void bindForWriting(GLuint name) {
+  constexpr GLenum scratchUnit = 15;
+  glActiveTexture(GL_TEXTURE0 + scratchUnit);
+  glBindTexture(GL_TEXTURE_2D, name);
+}
+
 int rowsFor(std::size_t length) {
   return static_cast<int>((length + TexelArrays::rowLength - 1) / TexelArrays::rowLength);
 }
@@ -48,7 +55,7 @@ Texture::Texture(TexelFormat format, int width, int height, bool smooth)
   CHECK(width > 0 && height > 0 && width <= maxSize() && height <= maxSize());
   const FormatNames names = namesOf(format);
   glGenTextures(1, &name_);
-  glBindTexture(GL_TEXTURE_2D, name_);
+  bindForWriting(name_);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, smooth ? GL_LINEAR : GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -75,7 +82,7 @@ Texture& Texture::operator=(Texture&& other) noexcept {
 
 void Texture::write(int x, int y, int width, int height, const void* texels) {
   const FormatNames names = namesOf(format_);
-  glBindTexture(GL_TEXTURE_2D, name_);
+  bindForWriting(name_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, names.format, names.type, texels);

@@ -76,7 +76,7 @@ void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
 
 void drawViewButtons(Workspace& work, UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 220) || ui.layout.view.height < scaled(ui, 120)) return;
-  beginFloating(ui, "##view-buttons", {0, 0}, 0, 6);
+  beginFloating(ui, "##view-buttons", {1, 1}, 0, 6);
   if (ImGui::Button(work.lookingThrough ? "Back to where I was" : "Look through the RT camera"))
     toggleLookThrough(work);
   tooltip("The key 0 does the same.");

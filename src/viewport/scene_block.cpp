@@ -78,14 +78,14 @@ void packView(SceneBlock& block, const ViewportInput& input, const Point& origin
 
 /// As near to the meshes as can be, so that the depth buffer tells their triangles apart.
 void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure,
-                const SurfacePlaces& places) {
+                const SurfacePlaces& places, const Visible& visible) {
   const ViewPose pose = sound(input.pose);
   const ViewProjection view(pose, 1, 1);
   double near = std::numeric_limits<double>::infinity(), far = 0;
-  for (const SurfacePlace& place : places) {
-    if (place.triangles == 0) continue;
+  for (int i = 0; i < gpuSurfaceCount; ++i) {
+    if (!visible.surface(static_cast<GpuSurface>(i))) continue;
     for (int corner = 0; corner < 8; ++corner) {
-      const Box& box = place.box;
+      const Box& box = places[i].box;
       const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                     corner & 4 ? box.max.z : box.min.z);
       const double depth = glm::dot(p - view.eye(), view.frame().forward);
@@ -94,7 +94,7 @@ void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasur
     }
   }
   far = std::max(1.01 * far, 1e-3 * measure.radius);
-  near = std::clamp(0.99 * near, view.orthographic() ? 0.0 : 1e-5 * far, 0.9 * far);
+  near = std::clamp(0.99 * near, view.orthographic() ? 0.0 : 1e-3 * far, 0.9 * far);
   const double unit = 1e-3 * measure.radius;
   const double end = glm::length(view.eye() - measure.centre) + 100 * measure.radius;
   block.depthRange = glm::vec4(glm::dvec4(near, far, 1 / unit, 1 / std::log2(1 + end / unit)));
@@ -218,7 +218,7 @@ SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measur
   SceneBlock block{};
   const Level& level = input.level;
   packView(block, input, measure.centre, width, height, shift);
-  packDepths(block, input, measure, places);
+  packDepths(block, input, measure, places, visible);
   packStudio(block, input, measure);
   packSurfaces(block, input, visible, places, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);

@@ -63,7 +63,6 @@ void SampleMean::copySample() const {
 
 StudioView::StudioView()
     : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
-      noGhost_(TexelFormat::r32ui, 1, 1),
       screen_(TexelFormat::rgba32f, 1, 1) {
   useSurfaceUnits(triangles_);
   const std::array<float, 4> black{};
@@ -102,7 +101,7 @@ void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, cons
   }
   mean_.sample().bind();
   seen_.color().bind(seenUnit);
-  (visible.ghost ? seenGhost_.color() : noGhost_).bind(ghostUnit);
+  if (visible.ghost) seenGhost_.color().bind(ghostUnit);
   screen_.bind(screenUnit);
   // What the first pass leaves out keeps the farthest depth, and only there the second one passes the depth
   // test.
@@ -110,7 +109,7 @@ void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, cons
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  for (const bool traced : {false, true}) drawPixels({scene.counts.z, visible.ghost, visible.wires, traced});
+  for (const bool traced : {false, true}) drawPixels({scene.counts.z, visible.ghost, visible.wires && traced, traced});
   glDisable(GL_DEPTH_TEST);
   mean_.endSample(number);
 }

@@ -70,7 +70,6 @@ class StudioView {
   std::map<PixelProgram, ShaderProgram> studio_;  // made when needed
   Framebuffer seen_, seenGhost_;
   SampleMean mean_;
-  Texture noGhost_;  // one texel: nothing seen
   Texture screen_;
   std::shared_ptr<const Image> shown_;
 };

@@ -239,7 +239,7 @@ TEST_F(Content, BackgroundOfTheDisplayWins) {
 TEST_F(Content, UnmappedVerticesDisappear) {
   ViewportInput input = bareInput();
   const Bitmap whole = pictureOf(input);
-  EXPECT_GT(count(whole, isSculptureColor), 300);
+  EXPECT_GT(count(whole, isSculptureColor), 200);
   ViewportInput none = input;
   none.display.sculpture = false;
   auto sculpture = std::make_shared<Sculpture>(*input.sculpture.sculpture);
@@ -308,7 +308,7 @@ TEST_F(Content, AnotherMeshReplacesTheOld) {
 
 TEST_F(Content, WiresAreDark) {
   ViewportInput input = bareInput();
-  input.pose = {{-3, -8, 5}, {0, -3.5, 3}, {0, 0, 1}, 20, false};
+  input.pose = {{-3, -8, 5}, {0, -4, 4}, {0, 0, 1}, 20, false};
   const Bitmap plain = pictureOf(input);
   input.display.wireframe = true;
   const Bitmap wires = pictureOf(input);
