@@ -85,12 +85,12 @@ void Desk::loadThumbnails() {
 
 void Desk::refreshStyle() {
   const Preferences& p = ui_.preferences;
-  ui_.scale = p.uiScale > 0 ? p.uiScale : screenScale_;
+  ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
   if (ui_.scale == styleScale_ && p.theme == styleTheme_ && ImGui::GetIO().Fonts->IsBuilt()) return;
   styleScale_ = ui_.scale;
   styleTheme_ = p.theme;
   applyStyle(p.theme, ui_.scale);
-  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale * textScale(p.theme)));
+  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale));
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }

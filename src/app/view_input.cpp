@@ -89,7 +89,11 @@ ViewportInput ViewInputMaker::make(Workspace& work, const UiState& ui, bool tran
   input.sculpture = shownSculpture(work);
   input.display = work.display;
   if (!input.display.background) input.display.background = skyOf(ui.preferences.theme);
-  if (work.lookingThrough && !work.flight) input.display.rtCamera = false;
+  if (work.lookingThrough && !work.flight) {
+    input.display.rtCamera = false;
+    // The ghost would lie exactly over its own reflection.
+    if (input.display.originalLook == OriginalLook::ghost) input.display.originalLook = OriginalLook::hidden;
+  }
   input.selection = work.selection;
   input.lines = lines_;
   input.screen = products.screen;

@@ -1,6 +1,7 @@
 #include "edit/morph_stage.h"
 
 #include "edit/morph.h"
+#include "pipeline/live.h"
 
 namespace anamorph {
 
@@ -17,14 +18,16 @@ PreparedSculpture MorphStage::make(const Input& input, int threads) {
     ringGroups_ = prepared.normalGroups;
     ring_ = {};
   }
-  const auto moving = ring_.take({*input.sculpture.sculpture, *prepared.bvh, *prepared.normals});
+  const Sculpture& goal = *input.sculpture.sculpture;
+  const auto moving = ring_.take({goal, *prepared.bvh, *prepared.normals});
   Sculpture& sculpture = moving->sculpture;
-  sculpture.status = input.sculpture.sculpture->status;
-  sculpture.mesh.positions =
-      morphPoints(*input.sculpture.sculpture, input.optic, input.eye, input.share, threads);
+  sculpture.original = goal.original;
+  sculpture.status = goal.status;
+  sculpture.originalStatus = goal.originalStatus;
+  sculpture.mesh.positions = morphPoints(goal, input.optic, input.eye, input.share, threads);
   const Mesh& mesh = sculpture.mesh;
   moving->normals = computeNormals(mesh.positions, mesh.triangles, *prepared.normalGroups, threads);
-  moving->bvh.refit(mesh.positions, threads);
+  moving->bvh.refit(mesh.positions, threads, absentPoints(sculpture.status));
   return {
       {moving, &sculpture},
       {{moving, &sculpture.mesh}, {moving, &moving->bvh}, prepared.normalGroups, {moving, &moving->normals}}};

@@ -29,11 +29,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// One that has an area, as findEmptiness wants it.
 bool anyTriangleMapped(const Sculpture& sculpture) {
   const auto& status = sculpture.status;
   const auto mapped = [&](std::uint32_t corner) { return status[corner] == PathStatus::mapped; };
   return std::any_of(sculpture.mesh.triangles.begin(), sculpture.mesh.triangles.end(),
-                     [&](const Triangle& t) { return mapped(t[0]) && mapped(t[1]) && mapped(t[2]); });
+                     [&](const Triangle& t) {
+                       return mapped(t[0]) && mapped(t[1]) && mapped(t[2]) &&
+                              areaVector(sculpture.original, t) != Vector(0);
+                     });
 }
 
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
@@ -77,7 +81,9 @@ bool Studio::update(const Session& session, const StudioOptions& options) {
 void Studio::openLevel(const Session& session) {
   generation_ = session.generation();
   worker_.cancel();
-  results_->take();
+  // The running job keeps the old ones until it notices. And a file that is opened again is read again.
+  settler_ = std::make_shared<Settler>();
+  results_ = std::make_shared<Mailbox<Settled>>();
   requested_.reset();
   cancelled_ = false;
   products_ = {};
@@ -116,7 +122,7 @@ void Studio::adopt(const Settled& settled, bool current) {
   products_.problem = settled.problem;
   products_.warnings = settled.warnings;
   products_.refined = current;
-  products_.complete = current && settled.complete;
+  products_.complete = current && settled.complete && requested_ == settled.input;
   if (settled.match || settled.problem) products_.match = settled.match;
   if (settled.previews.reflection) products_.previews.reflection = settled.previews.reflection;
   if (settled.previews.original) products_.previews.original = settled.previews.original;
@@ -206,6 +212,7 @@ void Studio::request(const Session& session, const StudioOptions& options) {
   SettleInput wanted{session.level(), session.path(), options.previewSize};
   if (requested_ == wanted) return;
   requested_ = wanted;
+  products_.complete = false;
   worker_.request([settler = settler_, results = results_, wake = wake_, threads = threads_,
                    wanted = std::move(wanted)](const Progress& progress) {
     settler->settle(
@@ -219,7 +226,6 @@ void Studio::request(const Session& session, const StudioOptions& options) {
 }
 
 bool Studio::updateRays(const StudioOptions& options) {
-  const Level& level = products_.level;
   if (!products_.sculpture.sculpture) {
     const bool had = products_.scene != nullptr;
     products_.scene = nullptr;
@@ -227,8 +233,19 @@ bool Studio::updateRays(const StudioOptions& options) {
     products_.trees = nullptr;
     return had;
   }
-  const Stopwatch watch(liveTimes_.rays);
   const auto before = std::pair{products_.screen, products_.trees};
+  double milliseconds = 0;
+  {
+    const Stopwatch watch(milliseconds);
+    traceGrid(options);
+  }
+  if (before == std::pair{products_.screen, products_.trees}) return false;
+  liveTimes_.rays = milliseconds;
+  return true;
+}
+
+void Studio::traceGrid(const StudioOptions& options) {
+  const Level& level = products_.level;
   products_.scene = scene_.get(makeReflectionScene(level, products_.sculpture), [](const SceneInput& input) {
     return std::make_shared<const RenderScene>(buildScene(input));
   });
@@ -250,7 +267,6 @@ bool Studio::updateRays(const StudioOptions& options) {
       return std::shared_ptr<const std::vector<RayTree>>(trees);
     });
   }
-  return before != std::pair{products_.screen, products_.trees};
 }
 
 bool Studio::busy() const {
@@ -269,6 +285,7 @@ void Studio::cancel() {
 }
 
 void Studio::finish(const Session& session, const StudioOptions& options) {
+  if (std::exchange(cancelled_, false)) requested_.reset();
   do {
     update(session, options);
     if (products_.complete) return;

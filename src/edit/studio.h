@@ -89,6 +89,7 @@ class Studio {
   void takeCoarsePictures(const Level& level);
   void request(const Session& session, const StudioOptions& options);
   bool updateRays(const StudioOptions& options);
+  void traceGrid(const StudioOptions& options);
   bool large() const;
 
   int threads_, frameThreads_;

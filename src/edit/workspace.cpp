@@ -19,9 +19,9 @@ ViewPose rtPose(const Workspace& work) {
 // What depends on the level's parts and may be gone after an edit.
 void dropStaleSelection(Workspace& work) {
   const Level& level = work.session.level();
-  if (work.selection.part == Part::light && work.selection.index >= static_cast<int>(level.lights.size())) {
-    work.selection = {};
-  }
+  const int lights = static_cast<int>(level.lights.size());
+  const Selection& selected = work.selection;
+  if (selected.part == Part::light && (selected.index < 0 || selected.index >= lights)) work.selection = {};
   const bool inGrid =
       work.cell && work.cell->column < level.camera.gridColumns && work.cell->row < level.camera.gridRows;
   if (!inGrid) work.cell.reset();

@@ -1,6 +1,8 @@
 #include "panels/actions.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "edit/orbit.h"
 #include "panels/view_panel.h"
@@ -10,9 +12,8 @@ namespace {
 
 // The level so many places after the one that is open; the last and the first are followed by nothing.
 void openNeighbour(Workspace& work, UiState& ui, int offset) {
-  const auto current = std::find_if(ui.levels.begin(), ui.levels.end(), [&](const LevelEntry& entry) {
-    return entry.path == work.session.path();
-  });
+  const auto current = std::find_if(ui.levels.begin(), ui.levels.end(),
+                                    [&](const LevelEntry& entry) { return isOpen(work, entry); });
   const auto index = current - ui.levels.begin() + offset;
   if (current == ui.levels.end() || index < 0 || index >= static_cast<std::ptrdiff_t>(ui.levels.size()))
     return;
@@ -45,6 +46,11 @@ void frame(Workspace& work, const Selection& selection) {
 }
 
 }  // namespace
+
+bool isOpen(const Workspace& work, const LevelEntry& entry) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(entry.path, work.session.path(), ignored);
+}
 
 const std::vector<ActionText>& actionTexts() {
   static const std::vector<ActionText> texts{
@@ -169,7 +175,7 @@ void perform(Action action, Workspace& work, UiState& ui) {
     case Action::nextLevel:
       return openNeighbour(work, ui, 1);
     case Action::reload:
-      ui.requests.open = work.session.path();
+      if (!work.session.path().empty()) ui.requests.open = work.session.path();
       return;
     case Action::renderImage:
       ui.render.open = true;

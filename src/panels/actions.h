@@ -66,6 +66,9 @@ std::vector<Shortcut> shortcuts(bool vrtKeys);
 /// The first key of an action, for menus: "Ctrl+Z"; empty when it has none.
 std::string keyNameOf(Action action, bool vrtKeys);
 
+/// Whether the level that is open is this one, however its path is written.
+bool isOpen(const Workspace& work, const LevelEntry& entry);
+
 /// Does it; what only the window can do is put into ui.requests.
 void perform(Action action, Workspace& work, UiState& ui);
 

@@ -12,7 +12,7 @@ namespace {
 
 void levelRow(const LevelEntry& entry, Workspace& work, UiState& ui) {
   const float s = static_cast<float>(ui.scale), height = 52 * s, gap = 8 * s;
-  const bool open = entry.path == work.session.path();
+  const bool open = isOpen(work, entry);
   ImGui::PushID(entry.name.c_str());
   const ImVec2 p = ImGui::GetCursorScreenPos();
   if (ImGui::Selectable("##level", open, 0, {0, height})) ui.requests.open = entry.path;

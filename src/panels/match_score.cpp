@@ -1,5 +1,8 @@
 #include "panels/match_score.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "panels/style.h"
@@ -7,10 +10,11 @@
 namespace anamorph {
 namespace {
 
-std::string percent(double share) {
-  // Never rounded up to a perfect score.
-  const double value = 100 * share;
-  return value < 100 && value > 99.995 ? "99.99 %" : fmt::format("{:.2f} %", value);
+// Never rounded up to a perfect score.
+std::string percent(double share, int digits = 2) {
+  const double unit = std::pow(10, -digits);
+  const double shown = share < 1 ? std::min(100 * share, 100 - unit) : 100;
+  return fmt::format("{:.{}f} %", shown, digits);
 }
 
 }  // namespace
@@ -33,8 +37,7 @@ MatchScore matchScore(const Products& products) {
   const MatchGrade grade = gradeOf(report);
   score.share = report.silhouetteIou;
   // While something moves the picture compared is coarse, and so is the figure.
-  score.percent =
-      products.refined ? percent(report.silhouetteIou) : fmt::format("{:.1f} %", 100 * report.silhouetteIou);
+  score.percent = percent(report.silhouetteIou, products.refined ? 2 : 1);
   score.word = products.refined ? matchGradeName(grade) : "live";
   score.tone = grade == MatchGrade::none      ? MatchScore::Tone::bad
                : grade == MatchGrade::partial ? MatchScore::Tone::middling

@@ -66,7 +66,7 @@ void menus(Workspace& work, UiState& ui) {
   }
   if (ImGui::BeginMenu("Level")) {
     for (const LevelEntry& entry : ui.levels) {
-      const bool open = entry.path == work.session.path();
+      const bool open = isOpen(work, entry);
       if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : entry.title.c_str(), nullptr, open)) {
         ui.requests.open = entry.path;
       }

@@ -84,7 +84,7 @@ void applyStyle(Theme theme, double scale) {
   ImGui::GetStyle() = style;
 }
 
-double textScale(Theme theme) {
+double themeScale(Theme theme) {
   return theme == Theme::projector ? 1.25 : 1;
 }
 

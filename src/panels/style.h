@@ -11,8 +11,8 @@ namespace anamorph {
 /// Sets Dear ImGui's style for a theme and a scale.
 void applyStyle(Theme theme, double scale);
 
-/// Factor of the text's size: the projector theme's is larger.
-double textScale(Theme theme);
+/// Factor of the size of everything: the projector theme's is larger.
+double themeScale(Theme theme);
 
 /// The 3D view's sky for a theme; dark shows the level's own.
 std::optional<Background> skyOf(Theme theme);

@@ -35,7 +35,7 @@ struct Preferences {
   double uiScale = 0;    ///< 0: as the screen says; else 0.75..3
   bool vrtKeys = false;  ///< T/R/S for move, rotate, scale as in Virtual Ray Tracer, instead of W/E/R
   bool legend = true;
-  double leftWidth = 264, rightWidth = 336, previewHeight = 440;  ///< at 100 % UI scale
+  double leftWidth = 264, rightWidth = 336, previewHeight = 416;  ///< at 100 % UI scale
 
   bool operator==(const Preferences&) const = default;
 };

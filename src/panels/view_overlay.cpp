@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -34,14 +37,11 @@ class Ink {
     return {rect_.x + static_cast<float>(pixel.x), rect_.y + static_cast<float>(pixel.y)};
   }
 
-  // Text on a plate that keeps it readable over anything.
-  void label(const Pixel& pixel, const std::string& text, ImU32 color) const {
-    if (!(std::abs(pixel.x) < 1e5 && std::abs(pixel.y) < 1e5)) return;
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 p = at(pixel), pad{4 * scale_, 1 * scale_};
-    list_->AddRectFilled({p.x - pad.x, p.y - pad.y}, {p.x + size.x + pad.x, p.y + size.y + pad.y},
-                         IM_COL32(18, 20, 25, 190), 3 * scale_);
-    list_->AddText(p, color, text.c_str());
+  // Where a point is seen, unless that is far outside the view.
+  std::optional<Pixel> find(const Point& point) const {
+    const auto pixel = projection_.pixelOf(point);
+    if (!pixel || !(std::abs(pixel->x) < 1e4 && std::abs(pixel->y) < 1e4)) return std::nullopt;
+    return pixel;
   }
 
  private:
@@ -49,6 +49,61 @@ class Ink {
   Rect rect_;
   float scale_;
   ImDrawList* list_;
+};
+
+// Text on plates that keep it readable over anything. Each label goes beside its point, to the first of some
+// places where it covers no other label and no marked point.
+class Labels {
+ public:
+  explicit Labels(const Ink& ink) : ink_(ink) {}
+
+  void keepFree(const Pixel& pixel) {
+    const float r = 5 * ink_.scale();
+    const ImVec2 p = ink_.at(pixel);
+    taken_.push_back({p.x - r, p.y - r, 2 * r, 2 * r});
+  }
+
+  void draw(const Pixel& pixel, const std::string& text, ImU32 color) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()), p = ink_.at(pixel);
+    const Rect plate = place(p, {size.x + 2 * padX(), size.y + 2 * padY()});
+    taken_.push_back(plate);
+    const ImVec2 middle{plate.x + plate.width / 2, plate.y + plate.height / 2};
+    const float away = std::hypot(middle.x - p.x, middle.y - p.y);
+    if (away > plate.width / 2 + 26 * ink_.scale())
+      ink_.list().AddLine(p, middle, IM_COL32(255, 255, 255, 110));
+    ink_.list().AddRectFilled({plate.x, plate.y}, {plate.x + plate.width, plate.y + plate.height},
+                              IM_COL32(18, 20, 25, 205), 3 * ink_.scale());
+    ink_.list().AddText({plate.x + padX(), plate.y + padY()}, color, text.c_str());
+  }
+
+ private:
+  float padX() const { return 4 * ink_.scale(); }
+  float padY() const { return 1 * ink_.scale(); }
+
+  // Around the point in rings that grow, to the right first.
+  Rect place(const ImVec2& p, const ImVec2& size) const {
+    constexpr int directions = 12, rings = 7;
+    for (int ring = 0; ring < rings; ++ring) {
+      const float gap = (9 + 15 * static_cast<float>(ring)) * ink_.scale();
+      for (int i = 0; i < directions; ++i) {
+        const int step = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+        const float angle = static_cast<float>(2 * pi * step / directions);
+        const float x = std::cos(angle), y = std::sin(angle);
+        const Rect plate{p.x + gap * x + (x - 1) * size.x / 2, p.y + gap * y + (y - 1) * size.y / 2, size.x,
+                         size.y};
+        if (std::none_of(taken_.begin(), taken_.end(), [&](const Rect& r) { return overlap(r, plate); }))
+          return plate;
+      }
+    }
+    return {p.x + 9 * ink_.scale(), p.y - size.y / 2, size.x, size.y};
+  }
+
+  static bool overlap(const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+  }
+
+  const Ink& ink_;
+  std::vector<Rect> taken_;
 };
 
 void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
@@ -72,30 +127,30 @@ void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
 }
 
 void drawConstruction(const Ink& ink, const Construction& construction) {
-  const auto draw = [&](const ConstructionLabel& label, ImU32 color, double dx, double dy) {
-    if (const auto pixel = ink.projection().pixelOf(label.at)) {
-      ink.label(*pixel + Pixel(dx, dy) * double(ink.scale()), label.text, color);
-    }
-  };
   const ImU32 white = IM_COL32(255, 255, 255, 255), green = IM_COL32(90, 220, 170, 255),
               yellow = IM_COL32(255, 225, 120, 255);
-  for (const ConstructionArc& arc : construction.arcs) draw(arc.label, green, 6, -8);
-  for (const ConstructionLabel& label : construction.distances) draw(label, yellow, 8, -8);
+  Labels labels(ink);
   for (const ConstructionLabel& label : construction.points) {
-    if (const auto pixel = ink.projection().pixelOf(label.at)) {
-      ink.list().AddCircleFilled(ink.at(*pixel), 4.2f * ink.scale(), IM_COL32(20, 22, 28, 255));
-      ink.list().AddCircleFilled(ink.at(*pixel), 3.0f * ink.scale(), white);
-    }
-    draw(label, white, 8, 3);
+    const auto pixel = ink.find(label.at);
+    if (!pixel) continue;
+    labels.keepFree(*pixel);
+    ink.list().AddCircleFilled(ink.at(*pixel), 4.2f * ink.scale(), IM_COL32(20, 22, 28, 255));
+    ink.list().AddCircleFilled(ink.at(*pixel), 3.0f * ink.scale(), white);
   }
+  const auto draw = [&](const ConstructionLabel& label, ImU32 color) {
+    if (const auto pixel = ink.find(label.at)) labels.draw(*pixel, label.text, color);
+  };
+  for (const ConstructionLabel& label : construction.points) draw(label, white);
+  for (const ConstructionLabel& label : construction.distances) draw(label, yellow);
+  for (const ConstructionArc& arc : construction.arcs) draw(arc.label, green);
 }
 
 // A cross where the RT camera looks at, while it is selected.
 void drawAim(const Ink& ink, const Workspace& work) {
   if (work.selection.part != Part::eye && work.selection.part != Part::aim) return;
   if (!work.display.rtCamera || work.lookingThrough) return;
-  const auto pixel = ink.projection().pixelOf(work.session.level().camera.target);
-  if (!pixel || !(std::abs(pixel->x) < 1e5 && std::abs(pixel->y) < 1e5)) return;
+  const auto pixel = ink.find(work.session.level().camera.target);
+  if (!pixel) return;
   const ImVec2 p = ink.at(*pixel);
   const float r = 7 * ink.scale();
   const ImU32 color =

@@ -1,5 +1,8 @@
 #include "panels/view_windows.h"
 
+#include <algorithm>
+#include <string>
+
 #include <imgui.h>
 
 #include "edit/level_repairs.h"
@@ -15,6 +18,13 @@ constexpr int floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
 
 float scaled(const UiState& ui, float length) {
   return length * static_cast<float>(ui.scale);
+}
+
+// Sentences of the pipeline begin in small letters, as they come after a file's name elsewhere.
+std::string capitalised(std::string sentence) {
+  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
+    sentence[0] = static_cast<char>(sentence[0] - 32);
+  return sentence;
 }
 
 // At a corner or edge of the view; (0, 0) is its upper left, (1, 1) its lower right corner.
@@ -93,7 +103,7 @@ void drawProblem(Workspace& work, UiState& ui) {
   }
   ImGui::PushTextWrapPos(
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
-  ImGui::TextUnformatted(problem->c_str());
+  ImGui::TextUnformatted(capitalised(*problem).c_str());
   ImGui::PopTextWrapPos();
   repairButtons(work);
   ImGui::End();

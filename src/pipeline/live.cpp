@@ -32,17 +32,14 @@ Sculpture undeformed(const Mesh& original) {
   return sculpture;
 }
 
-bool allMapped(const std::vector<PathStatus>& status) {
-  return std::all_of(status.begin(), status.end(), [](PathStatus s) { return s == PathStatus::mapped; });
-}
+}  // namespace
 
 // PathStatus is a byte, and 0 is mapped: what is not 0 is absent.
 std::span<const std::uint8_t> absentPoints(const std::vector<PathStatus>& status) {
-  if (allMapped(status)) return {};
+  const auto mapped = [](PathStatus s) { return s == PathStatus::mapped; };
+  if (std::all_of(status.begin(), status.end(), mapped)) return {};
   return {reinterpret_cast<const std::uint8_t*>(status.data()), status.size()};
 }
-
-}  // namespace
 
 LiveOriginal::LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh placed)
     : shape_(std::move(shape)), start_(std::move(placed)) {

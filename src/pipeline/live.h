@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "pipeline/buffer_ring.h"
@@ -20,6 +21,9 @@ struct MovingMesh {
   Bvh bvh;
   std::vector<glm::vec3> normals;
 };
+
+/// For Bvh::refit, to leave out triangles with an unmapped corner. Valid as long as `status` is.
+std::span<const std::uint8_t> absentPoints(const std::vector<PathStatus>& status);
 
 class LiveOriginal {
  public:

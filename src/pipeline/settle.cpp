@@ -35,7 +35,7 @@ bool Settler::deform(Settled& settled, int threads, const Progress& progress) {
   settled.problem = findProblem(level, *settled.original.mesh);
   if (settled.problem) {
     settled.sculpture = prepareSculpture({}, threads);
-    return true;
+    return false;
   }
   const DeformInput input = makeDeformInput(level, settled.original.mesh);
   settled.sculpture = sculpture_.get(input, [&](const DeformInput& in) {
@@ -43,9 +43,18 @@ bool Settler::deform(Settled& settled, int threads, const Progress& progress) {
     if (progress.cancelled()) throw Cancelled();
     return prepareSculpture(std::move(sculpture), threads);
   });
-  settled.problem = findEmptiness(*settled.sculpture.sculpture);
-  if (!settled.problem) settled.warnings = findWarnings(level, *settled.sculpture.sculpture);
-  return !settled.problem;
+  const Sculpture& sculpture = *settled.sculpture.sculpture;
+  settled.problem = findEmptiness(sculpture);
+  if (!settled.problem) {
+    settled.warnings = findWarnings(level, sculpture);
+    return true;
+  }
+  if (!sculpture.mesh.triangles.empty()) {  // triangles without area
+    Sculpture empty;
+    empty.originalStatus = sculpture.originalStatus;
+    settled.sculpture = prepareSculpture(std::move(empty), threads);
+  }
+  return false;
 }
 
 Settler::SharedMatch Settler::match(const Settled& settled, int longerSide,

@@ -82,6 +82,7 @@ class Settler {
   using SharedMatch = std::shared_ptr<const Match>;
   using SharedImage = std::shared_ptr<const Image>;
 
+  /// Whether there is a sculpture; else the problem says why not.
   bool deform(Settled& settled, int threads, const Progress& progress);
   SharedMatch match(const Settled& settled, int longerSide, Memo<MatchInput, SharedMatch>& memo, int threads,
                     const Progress& progress);

@@ -39,6 +39,13 @@ PreparedMesh prepare(std::shared_ptr<const Mesh> mesh, const PointArray* shape, 
   return prepared;
 }
 
+bool hasArea(const Sculpture& sculpture) {
+  const auto& triangles = sculpture.mesh.triangles;
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return areaVector(sculpture.original, t) != Vector(0);
+  });
+}
+
 const char* explain(PathStatus status) {
   switch (status) {
     case PathStatus::mapped:
@@ -78,7 +85,7 @@ std::optional<std::string> findProblem(const Level& level, const Mesh& original)
 }
 
 std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
-  if (!sculpture.mesh.triangles.empty()) return std::nullopt;
+  if (hasArea(sculpture)) return std::nullopt;
   const StatusCounts& counts = sculpture.originalStatus;
   std::size_t total = 0;
   for (const std::size_t count : counts) total += count;

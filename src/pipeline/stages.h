@@ -38,7 +38,7 @@ struct PreparedSculpture {
 /// a sentence for the student; nothing when it can.
 std::optional<std::string> findProblem(const Level& level, const Mesh& original);
 
-/// Why no triangle of the original has come into the sculpture; nothing when some have.
+/// Why no triangle of the original that has an area has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 
 /// "6100 of 6146 vertices mapped (46 missesMirror)"

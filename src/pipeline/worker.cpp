@@ -21,6 +21,7 @@ void Worker::request(Job job) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_ = std::move(job);
+    failure_.reset();
     if (running_) running_->cancel();
   }
   changed_.notify_one();
@@ -29,6 +30,7 @@ void Worker::request(Job job) {
 void Worker::cancel() {
   const std::lock_guard<std::mutex> lock(mutex_);
   waiting_ = nullptr;
+  failure_.reset();
   if (running_) running_->cancel();
 }
 

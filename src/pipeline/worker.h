@@ -58,7 +58,7 @@ class Worker {
   bool busy() const;
   /// How far the running job is, 0..1.
   double share() const;
-  /// The message of the last job that threw, once. A job cancelled since then does not count.
+  /// The message of the last job when it threw, once. Forgotten with the next request() or cancel().
   std::optional<std::string> takeFailure();
 
  private:

@@ -13,14 +13,13 @@ constexpr double dotRadius = 2.2;  // pixels at 100 %
 }  // namespace
 
 InkView::InkView() : dots_("dot.vert.glsl", "dot.frag.glsl") {
-  dots_.use();
-  dots_.bindBlock("Scene", 0);
-  dots_.set("positions", SurfaceUnits::positions);
+  connectToScene(dots_);
   dots_.set("depth", depthUnit);
 }
 
 void InkView::update(const ViewportInput& input, const SurfacePlaces& places, const Visible& visible,
                      const Point& origin, int width, int height) {
+  origin_ = origin;
   lines_.update(input.lines, origin);
   hasOutline_ = OutlineView::wanted(input, visible);
   hasDots_ = input.display.statusColors && visible.sculpture && !places[0].whole;
@@ -28,8 +27,8 @@ void InkView::update(const ViewportInput& input, const SurfacePlaces& places, co
   if (anything_) mean_.resize(width, height, {TexelFormat::rgba8}, false);
 }
 
-void InkView::draw(const ViewportInput& input, const SurfacePlaces& places, const Texture& depth,
-                   double pixelScale, int number) {
+void InkView::draw(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places,
+                   const Texture& depth, double pixelScale, int number) {
   mean_.beginSample(number);
   mean_.sample().bind();
   const GLfloat nothing[] = {0, 0, 0, 0};
@@ -39,7 +38,7 @@ void InkView::draw(const ViewportInput& input, const SurfacePlaces& places, cons
   if (hasDots_) {
     drawDots(places, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
   }
-  if (hasOutline_) outline_.draw(mean_.sample(), input, places, pixelScale);
+  if (hasOutline_) outline_.draw(mean_.sample(), input, scene, origin_, places, pixelScale);
   lines_.draw(depth, pixelScale);
   glDisable(GL_BLEND);
   mean_.endSample(number);

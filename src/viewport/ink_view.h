@@ -22,8 +22,8 @@ class InkView {
 
   /// Adds a sample to the mean, as StudioView::draw. `depth` is of the same sample; `pixelScale`: pixels of
   /// the picture for one of a line's width.
-  void draw(const ViewportInput& input, const SurfacePlaces& places, const Texture& depth, double pixelScale,
-            int number);
+  void draw(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places,
+            const Texture& depth, double pixelScale, int number);
 
   /// The mean: display colour times alpha, alpha. Undefined while empty().
   const Texture& ink() const { return mean_.result(); }
@@ -35,6 +35,7 @@ class InkView {
   OutlineView outline_;
   ShaderProgram dots_;
   SampleMean mean_;
+  Point origin_{0};
   bool anything_ = false, hasOutline_ = false, hasDots_ = false;
 };
 

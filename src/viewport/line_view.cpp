@@ -6,6 +6,8 @@
 #include <glad/gl.h>
 #include <glm/vec4.hpp>
 
+#include "viewport/surface_store.h"
+
 namespace anamorph {
 namespace {
 
@@ -28,8 +30,7 @@ void append(std::vector<glm::vec4>& texels, const Line& line, const Point& origi
 }  // namespace
 
 LineView::LineView() : program_("line.vert.glsl", "line.frag.glsl"), texels_(TexelFormat::rgba32f, 1) {
-  program_.use();
-  program_.bindBlock("Scene", 0);
+  connectToScene(program_);
   program_.set("lines", lineUnit);
   program_.set("depth", depthUnit);
 }

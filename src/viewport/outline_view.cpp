@@ -4,6 +4,9 @@
 #include <optional>
 
 #include <glad/gl.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "viewport/surface_store.h"
 
@@ -26,20 +29,57 @@ std::optional<GpuSurface> selectedMesh(const Selection& selection) {
   }
 }
 
+/// Of the selected thing, in scene coordinates.
+Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places) {
+  if (const auto mesh = selectedMesh(input.selection)) return places[static_cast<int>(*mesh)].box;
+  if (input.selection.part == Part::mirror) {
+    return boundingBox(tessellate(input.level.optic.shape).positions);
+  }
+  const Point middle = input.level.lights[input.selection.index].position;
+  const Vector radius(scene.studio.z);
+  return {middle - radius, middle + radius};
+}
+
+/// Pixels from the lower left.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Where on the picture a box is seen, with a margin. The whole picture when some of it is behind the eye.
+PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin, double margin) {
+  const glm::vec2 size(scene.right.w, scene.up.w);
+  const bool parallel = scene.forward.w > 0.5f;
+  glm::vec2 low = size, high(0);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                  corner & 4 ? box.max.z : box.min.z);
+    const glm::vec3 v = glm::vec3(p - origin) - glm::vec3(scene.eye);
+    const float depth = parallel ? 1 : glm::dot(v, glm::vec3(scene.forward));
+    const glm::vec2 across(glm::dot(v, glm::vec3(scene.right)), glm::dot(v, glm::vec3(scene.up)));
+    const glm::vec2 pixel = across / (scene.lens.x * depth) + 0.5f * size;
+    const bool known = glm::all(glm::lessThan(glm::abs(pixel), glm::vec2(1e7f)));  // and a number
+    if (!known || !(parallel || depth > 1e-3f * scene.studio.x)) {
+      return {0, 0, static_cast<int>(size.x), static_cast<int>(size.y)};
+    }
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
+  // A tessellated mirror lies a little inside of the true one.
+  const glm::vec2 wider = 0.01f * (high - low) + static_cast<float>(margin);
+  low = glm::floor(glm::clamp(low - wider, glm::vec2(0), size));
+  high = glm::ceil(glm::clamp(high + wider, glm::vec2(0), size));
+  const glm::vec2 extent = glm::max(high - low, glm::vec2(0));
+  return {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(extent.x),
+          static_cast<int>(extent.y)};
+}
+
 }  // namespace
 
 OutlineView::OutlineView()
     : mesh_("mesh.vert.glsl", "mask.frag.glsl"),
       plain_("full_screen.vert.glsl", "plain_mask.frag.glsl"),
       outline_("full_screen.vert.glsl", "outline.frag.glsl") {
-  for (const ShaderProgram* program : {&mesh_, &plain_}) {
-    program->use();
-    program->bindBlock("Scene", 0);
-    program->set("nodes", SurfaceUnits::nodes);
-    program->set("positions", SurfaceUnits::positions);
-    program->set("triangles", SurfaceUnits::triangles);
-    program->set("normals", SurfaceUnits::normals);
-  }
+  for (const ShaderProgram* program : {&mesh_, &plain_}) connectToScene(*program);
   outline_.use();
   outline_.set("mask", maskUnit);
 }
@@ -52,8 +92,8 @@ bool OutlineView::wanted(const ViewportInput& input, const Visible& visible) {
          selection.index < std::min<int>(static_cast<int>(input.level.lights.size()), gpuLightLimit);
 }
 
-void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, const SurfacePlaces& places,
-                       double pixelScale) {
+void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
+                       const Point& origin, const SurfacePlaces& places, double pixelScale) {
   if (mask_.width() != target.width() || mask_.height() != target.height()) {
     mask_ = Framebuffer();
     mask_ = Framebuffer(target.width(), target.height(), {TexelFormat::r8}, false, true);
@@ -62,6 +102,10 @@ void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, co
   glDisable(GL_BLEND);
   const GLfloat nothing[] = {0, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, nothing);
+  const double width = outlineWidth * pixelScale;
+  const PixelRect rect = seenRect(selectedBox(input, scene, places), scene, origin, width + 2);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
   if (const auto mesh = selectedMesh(input.selection)) {
     mesh_.use();
     mesh_.set("surface", static_cast<int>(*mesh));
@@ -75,8 +119,9 @@ void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, co
   glEnable(GL_BLEND);
   mask_.color().bind(maskUnit);
   outline_.use();
-  outline_.set("width", static_cast<float>(outlineWidth * pixelScale));
+  outline_.set("width", static_cast<float>(width));
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace anamorph

@@ -15,10 +15,10 @@ class OutlineView {
   /// Whether there is anything to outline.
   static bool wanted(const ViewportInput& input, const Visible& visible);
 
-  /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), the scene block
-  /// is written. `pixelScale`: pixels for one of the outline's width.
-  void draw(const Framebuffer& target, const ViewportInput& input, const SurfacePlaces& places,
-            double pixelScale);
+  /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), `scene` is
+  /// written, its places relative to `origin`. `pixelScale`: pixels for one of the outline's width.
+  void draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
+            const Point& origin, const SurfacePlaces& places, double pixelScale);
 
  private:
   ShaderProgram mesh_, plain_, outline_;

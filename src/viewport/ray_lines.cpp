@@ -62,9 +62,13 @@ std::vector<Stretch> stretchesOf(const RayTree& tree) {
   return stretches;
 }
 
-double longest(const std::vector<Stretch>& stretches) {
+// The way at whose end all that is shown of the tree is complete. What is hidden costs no time.
+double wayOf(const RayTree& tree, const std::vector<Stretch>& stretches, const RaySettings& settings) {
   double end = 0;
-  for (const Stretch& stretch : stretches) end = std::max(end, stretch.end);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const RaySegment& segment = tree.segments[i];
+    if (isShown(segment, contributionOf(segment, tree), settings)) end = std::max(end, stretches[i].end);
+  }
   return end;
 }
 
@@ -172,7 +176,7 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
       if (!isShown(tree.segments[i], contribution, settings)) continue;
       addPart(lines, lineOf(tree.segments[i], contribution, settings), stretches[i].share(travelled));
     }
-    if (settings.animate && settings.sequential) travelled -= longest(stretches);
+    if (settings.animate && settings.sequential) travelled -= wayOf(tree, stretches, settings);
   });
   return lines;
 }
@@ -197,7 +201,7 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
                             std::optional<std::size_t> only) {
   double most = 0, sum = 0;
   visitTrees(trees, only, [&](const RayTree& tree) {
-    const double length = longest(stretchesOf(tree));
+    const double length = wayOf(tree, stretchesOf(tree), settings);
     most = std::max(most, length);
     sum += length;
   });

@@ -15,6 +15,7 @@ namespace anamorph {
 
 constexpr int gpuSurfaceCount = 3;
 constexpr int gpuLightLimit = 16;
+constexpr int sceneBlockPoint = 0;  ///< where programs find the block
 
 /// Which mesh is which in the shaders.
 enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2 };

@@ -16,15 +16,6 @@ namespace {
 
 constexpr int seenUnit = 4, ghostUnit = 5, screenUnit = 6, sampleUnit = 4;
 
-void useSurfaceUnits(const ShaderProgram& program) {
-  program.use();
-  program.bindBlock("Scene", 0);
-  program.set("nodes", SurfaceUnits::nodes);
-  program.set("positions", SurfaceUnits::positions);
-  program.set("triangles", SurfaceUnits::triangles);
-  program.set("normals", SurfaceUnits::normals);
-}
-
 }  // namespace
 
 SampleMean::SampleMean() : copy_("full_screen.vert.glsl", "copy.frag.glsl") {
@@ -62,9 +53,8 @@ void SampleMean::copySample() const {
 }
 
 StudioView::StudioView()
-    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
-      screen_(TexelFormat::rgba32f, 1, 1) {
-  useSurfaceUnits(triangles_);
+    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"), screen_(TexelFormat::rgba32f, 1, 1) {
+  connectToScene(triangles_);
   const std::array<float, 4> black{};
   screen_.write(0, 0, 1, 1, black.data());
 }
@@ -109,7 +99,8 @@ void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, cons
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  for (const bool traced : {false, true}) drawPixels({scene.counts.z, visible.ghost, visible.wires && traced, traced});
+  for (const bool traced : {false, true})
+    drawPixels({scene.counts.z, visible.ghost, visible.wires && traced, traced});
   glDisable(GL_DEPTH_TEST);
   mean_.endSample(number);
 }
@@ -122,7 +113,7 @@ void StudioView::drawPixels(const PixelProgram& kind) {
     if (kind.ghost) defines.emplace_back("GHOST");
     if (kind.wires) defines.emplace_back("WIRES");
     program = ShaderProgram("full_screen.vert.glsl", "studio.frag.glsl", defines);
-    useSurfaceUnits(program);
+    connectToScene(program);
     program.set("seen", seenUnit);
     program.set("seenGhost", ghostUnit);
     program.set("screen", screenUnit);

@@ -40,6 +40,15 @@ bool sameTriangles(const PreparedMesh& a, const PreparedMesh& b) {
 
 }  // namespace
 
+void connectToScene(const ShaderProgram& program) {
+  program.use();
+  program.bindBlock("Scene", sceneBlockPoint);
+  program.set("nodes", SurfaceUnits::nodes);
+  program.set("positions", SurfaceUnits::positions);
+  program.set("triangles", SurfaceUnits::triangles);
+  program.set("normals", SurfaceUnits::normals);
+}
+
 SurfaceStore::SurfaceStore()
     : arrays_{TexelArrays(TexelFormat::rgba32f, gpuSurfaceCount),
               TexelArrays(TexelFormat::rgba32f, gpuSurfaceCount),

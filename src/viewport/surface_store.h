@@ -9,6 +9,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "gl/shader.h"
 #include "gl/texture.h"
 #include "viewport/scene_block.h"
 
@@ -27,6 +28,9 @@ using SurfaceSources = std::array<SurfaceSource, gpuSurfaceCount>;
 struct SurfaceUnits {
   static constexpr int nodes = 0, positions = 1, triangles = 2, normals = 3;
 };
+
+/// Tells a program where to read the scene block and the meshes' textures.
+void connectToScene(const ShaderProgram& program);
 
 class SurfaceStore {
  public:

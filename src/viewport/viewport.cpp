@@ -97,7 +97,7 @@ struct Viewport::Parts {
   SurfaceStore surfaces;
   StudioView studio;
   InkView ink;
-  UniformBuffer block{0};
+  UniformBuffer block{sceneBlockPoint};
   ShaderProgram resolve{"full_screen.vert.glsl", "resolve.frag.glsl"};
   Framebuffer picture;
   GLuint noVertices = 0;
@@ -140,7 +140,7 @@ void Viewport::Parts::addSample() {
   block.write(&scene, sizeof scene);
   surfaces.bind();
   studio.draw(scene, surfaces.places(), visible, done);
-  if (!ink.empty()) ink.draw(input, surfaces.places(), studio.depth(), input.lineScale * scale, done);
+  if (!ink.empty()) ink.draw(input, scene, surfaces.places(), studio.depth(), input.lineScale * scale, done);
   ++done;
 }
 

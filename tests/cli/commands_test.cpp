@@ -40,8 +40,7 @@ TEST(Program, HelpAndVersion) {
 }
 
 TEST(Program, WrongUsageIsTwo) {
-  for (const std::string& arguments : std::vector<std::string>{"",
-                                                               "nonsense",
+  for (const std::string& arguments : std::vector<std::string>{"nonsense",
                                                                "deform",
                                                                "match 1 --size 0",
                                                                "match 1 --tolerance fine",
@@ -69,14 +68,46 @@ TEST(Program, WrongUsageIsTwo) {
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
     EXPECT_EQ(result.out, "") << arguments;
   }
-  EXPECT_THAT(run("defrom 1").err,
-              HasSubstr("expected a command (deform, match, render, check, levels), got defrom"));
+  for (const char* word : {"defrom", "9-none", "'1-plane '"}) {
+    const Result unknown = run(word);
+    EXPECT_EQ(unknown.exitCode, 2) << word;
+    EXPECT_THAT(unknown.err, HasSubstr("expected a command (deform, match, render, check, levels"));
+    EXPECT_THAT(unknown.err, HasSubstr("), got "));
+  }
   EXPECT_THAT(run("match 1 --fov nan").err, HasSubstr("--fov: expected a number from 1 to 170, got nan"));
   EXPECT_THAT(run("match " + cube).err, HasSubstr("is a mesh: name a level or a scene first"));
   const Result noModel = run("match " + sphereScene);
   EXPECT_EQ(noModel.exitCode, 2);
   EXPECT_THAT(noModel.err, HasSubstr("Name one after it"));
 }
+
+#ifdef ANAMORPH_GUI
+TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
+  for (const char* arguments : {"open --help", "open -h", "1-plane --help", "plane -h", "--fullscreen -h"}) {
+    const Result help = run(arguments);
+    EXPECT_EQ(help.exitCode, 0) << arguments << ": " << help.err;
+    EXPECT_THAT(help.out, HasSubstr("Usage: anamorph open [OPTIONS] [LEVEL]")) << arguments;
+    EXPECT_EQ(help.err, "") << arguments;
+  }
+  for (const char* command : {"open", "screenshot"}) EXPECT_THAT(run("--help").out, HasSubstr(command));
+  // None of these comes as far as a window.
+  for (const char* arguments : {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5", "1 --theme pink",
+                                "open --ui-scale 9", "1 --ui-scale nan", "1-plane 2-cylinder", "open 1 2"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
+  }
+  const Result nothing = run("open nothing");
+  EXPECT_EQ(nothing.exitCode, 1);
+  EXPECT_THAT(nothing.err, HasSubstr("expected a file or one of the levels 1-plane, 2-cylinder, 3-sphere"));
+}
+#else
+TEST(Program, WithoutAWindowACommandIsNeeded) {
+  EXPECT_EQ(run("").exitCode, 2);
+  EXPECT_EQ(run("1-plane").exitCode, 2);
+  EXPECT_THAT(run("open").err, HasSubstr("expected a command"));
+}
+#endif
 
 TEST(Deform, WritesTheSculptureInEveryFormat) {
   const TemporaryFolder folder;

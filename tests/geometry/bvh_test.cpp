@@ -104,6 +104,65 @@ TEST_P(BvhScenes, AgreeWithBruteForceAlsoAfterRefit) {
   }
 }
 
+/// The mesh with a single point in the place of every triangle that has an absent corner.
+Mesh presentPart(const Mesh& mesh, const std::vector<std::uint8_t>& absent) {
+  Mesh part = mesh;
+  for (Triangle& t : part.triangles) {
+    if (absent[t[0]] != 0 || absent[t[1]] != 0 || absent[t[2]] != 0) t = {t[0], t[0], t[0]};
+  }
+  return part;
+}
+
+TEST_P(BvhScenes, AbsentPointsTakeTheirTrianglesAwayUntilTheNextRefit) {
+  const Scene& scene = GetParam();
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Mesh mesh = scene.make(random);
+    Bvh bvh(mesh.positions, mesh.triangles);
+    const Bvh whole = bvh;
+    PointArray points = mesh.positions;
+    std::vector<std::uint8_t> absent(points.size());
+    const double share = seed == 0 ? 0 : random.uniform(0, 0.7);
+    for (std::size_t i = 0; i < absent.size(); ++i) {
+      if (random.uniform(0, 1) >= share) continue;
+      absent[i] = static_cast<std::uint8_t>(random.uniform(1, 255.99));
+      points.set(i, 1e4 * scene.reach * random.inCube(1));  // wherever an absent point is, it costs nothing
+    }
+    bvh.refit(points, 1 + static_cast<int>(seed % 2), absent);
+    const Mesh present = presentPart(mesh, absent);
+    Mesh built{mesh.positions, {}};
+    std::vector<std::uint32_t> indexOf;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (present.triangles[t] != mesh.triangles[t]) continue;
+      built.triangles.push_back(mesh.triangles[t]);
+      indexOf.push_back(t);
+    }
+    const Bvh fresh(built.positions, built.triangles);
+    int differences = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Point origin = scene.centre + random.inCube(2 * scene.reach);
+      const Point target = scene.centre + random.inCube(scene.reach);
+      const Ray ray{origin, glm::normalize(target - origin)};
+      expectAsBruteForce(bvh, present, ray);
+      BvhHit hit, freshHit;
+      const bool found = bvh.closestHit(ray, hit), freshFound = fresh.closestHit(ray, freshHit);
+      differences += found != freshFound || (found && hit.triangle != indexOf[freshHit.triangle]);
+    }
+    EXPECT_LE(differences, 2) << "only rays beside an edge, where floats decide";
+
+    bvh.refit(mesh.positions);
+    EXPECT_EQ(bvh.nodes(), whole.nodes());
+    for (int i = 0; i < 100; ++i) {
+      const Ray ray{scene.centre + random.inCube(2 * scene.reach), random.direction()};
+      BvhHit hit, wholeHit;
+      ASSERT_EQ(bvh.closestHit(ray, hit), whole.closestHit(ray, wholeHit));
+      EXPECT_EQ(hit.t, wholeHit.t);
+      EXPECT_EQ(hit.triangle, wholeHit.triangle);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Bvh, BvhScenes,
     testing::Values(Scene{"Soup", [](Random& r) { return makeSoup(r, 300, 1, 0.3); }, 1},
@@ -369,12 +428,48 @@ TEST(Bvh, FlatMeshesAreHitAcrossAndNotAlong) {
   }
 }
 
+TEST(Bvh, NothingIsHitWhenAllPointsAreAbsent) {
+  const std::uint32_t seed = 29;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  for (const Mesh& mesh : {oneTriangle(), makeSphere(1, 30), makeSoup(random, 200, 1, 0.3)}) {
+    Bvh bvh(mesh.positions, mesh.triangles);
+    const Bvh whole = bvh;
+    bvh.refit(mesh.positions, 1, std::vector<std::uint8_t>(mesh.positions.size(), 1));
+    for (int i = 0; i < 2000; ++i) {
+      BvhHit hit;
+      const Ray ray{random.inCube(3), random.direction()};
+      ASSERT_FALSE(bvh.closestHit(ray, hit)) << i;
+      ASSERT_FALSE(bvh.anyHit(ray)) << i;
+    }
+    for (const Vector& axis : {Vector(1, 0, 0), Vector(0, -1, 0), Vector(0, 0, 1)}) {
+      EXPECT_FALSE(bvh.anyHit({Point(0), axis}));
+      EXPECT_FALSE(bvh.anyHit({Point(0.25, 0.25, 0) - 5.0 * axis, axis}));
+    }
+    EXPECT_TRUE(isFinite(bvh.centre()));
+    bvh.refit(mesh.positions);
+    EXPECT_EQ(bvh.nodes(), whole.nodes());
+  }
+}
+
+TEST(Bvh, AbsentUnusedPointsChangeNothing) {
+  Mesh mesh = makeSphere(1, 20);
+  mesh.positions.push_back({3, 3, 3});
+  Bvh bvh(mesh.positions, mesh.triangles);
+  const Bvh whole = bvh;
+  std::vector<std::uint8_t> absent(mesh.positions.size());
+  absent.back() = 1;
+  bvh.refit(mesh.positions, 1, absent);
+  EXPECT_EQ(bvh.nodes(), whole.nodes());
+}
+
 TEST(Bvh, MisuseIsReported) {
   const Mesh mesh = oneTriangle();
   const std::vector<Triangle> bad{{0, 1, 3}};
   EXPECT_THROW(Bvh(mesh.positions, bad), ProgrammingError);
   Bvh bvh(mesh.positions, mesh.triangles);
   EXPECT_THROW(bvh.refit(PointArray(2)), ProgrammingError);
+  EXPECT_THROW(bvh.refit(mesh.positions, 1, std::vector<std::uint8_t>(2)), ProgrammingError);
 }
 
 TEST(Bvh, RaysThatAreNoRaysMeetNothing) {

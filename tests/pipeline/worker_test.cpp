@@ -97,6 +97,21 @@ TEST(Worker, FailureIsAValue) {
   EXPECT_TRUE(waitUntil([&] { return wakes > 1; })) << "and it goes on working";
 }
 
+TEST(Worker, FailureThatWasNotTakenGoesWithTheNextRequest) {
+  std::atomic<int> wakes{0};
+  Worker worker([&] { ++wakes; });
+  const auto fail = [](const Progress&) { throw std::runtime_error("no such mesh"); };
+  worker.request(fail);
+  ASSERT_TRUE(waitUntil([&] { return wakes > 0; }));
+  worker.request([](const Progress&) {});
+  EXPECT_EQ(worker.takeFailure(), std::nullopt) << "nobody waits for that job any more";
+  ASSERT_TRUE(waitUntil([&] { return wakes > 1; }));
+  worker.request(fail);
+  ASSERT_TRUE(waitUntil([&] { return wakes > 2; }));
+  worker.cancel();
+  EXPECT_EQ(worker.takeFailure(), std::nullopt);
+}
+
 TEST(Worker, ReportsItsShare) {
   std::atomic<bool> release{false};
   Worker worker;

@@ -119,7 +119,7 @@ TEST_F(View, SurvivesNonsense) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                    inf = std::numeric_limits<double>::infinity();
   const ViewportInput good = startInput(cylinder(), 32, 24);
-  std::vector<ViewportInput> inputs(13, good);
+  std::vector<ViewportInput> inputs(15, good);
   inputs[0].pose.eye.x = nan;
   inputs[1].pose.target = inputs[1].pose.eye;
   inputs[2].pose.up = {0, 0, 0};
@@ -133,6 +133,10 @@ TEST_F(View, SurvivesNonsense) {
   inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0, nan};
   inputs[11].pose = {{0.5, 0, 4}, {0, 0, 4}, {0, 0, 1}, 100, false};  // in the mirror
   inputs[12].level.camera.fovDegrees = nan;
+  inputs[13] = inputs[9];
+  inputs[13].selection = {Part::light, 2};
+  inputs[14] = inputs[13];
+  inputs[14].pose.orthographic = true;
   Viewport viewport;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     SCOPED_TRACE(i);

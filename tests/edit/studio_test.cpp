@@ -1,0 +1,533 @@
+#include "edit/studio.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "anamorphosis/vertex_ray.h"
+#include "geometry/mesh_files.h"
+#include "geometry/shapes.h"
+#include "pipeline/changing_levels.h"
+#include "raytrace/render.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+
+const std::filesystem::path levels = ANAMORPH_LEVELS;
+constexpr StudioOptions quick{40, false};
+
+/// Opens an installed level and makes it as small as quickLevels() are.
+void openQuick(Session& session, const std::string& name, int segments = 6) {
+  session.open(levels / (name + ".json"));
+  Level level = session.level();
+  if (auto* box = std::get_if<BoxShape>(&level.original.shape)) box->segments = segments;
+  level.sculpture.tolerancePixels = 1;
+  session.edit(level);
+}
+
+template <typename Condition>
+bool updateUntil(Studio& studio, const Session& session, const StudioOptions& options,
+                 const Condition& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (std::chrono::steady_clock::now() < end) {
+    studio.update(session, options);
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+template <typename Condition>
+bool waitUntil(const Condition& condition) {
+  for (int i = 0; i < 30000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return condition();
+}
+
+/// Everything at rest is what the pipeline makes of the level when nothing has gone before.
+void expectSettled(const Products& products, const Session& session, const StudioOptions& options) {
+  Settler settler;
+  const Settled wanted = *settler.settle({session.level(), session.path(), options.previewSize}, 2);
+  EXPECT_EQ(products.level, session.level());
+  EXPECT_EQ(*products.shape, *wanted.shape);
+  EXPECT_EQ(*products.original.mesh, *wanted.original.mesh);
+  EXPECT_EQ(products.sculpture.sculpture->mesh, wanted.sculpture.sculpture->mesh);
+  EXPECT_EQ(products.problem, wanted.problem);
+  EXPECT_EQ(products.warnings, wanted.warnings);
+  ASSERT_EQ(products.match == nullptr, wanted.match == nullptr);
+  if (wanted.match) {
+    EXPECT_EQ(products.match->report.width, wanted.match->report.width);
+    EXPECT_EQ(products.match->report.silhouetteIou, wanted.match->report.silhouetteIou);
+    EXPECT_EQ(products.match->classes, wanted.match->classes);
+  }
+  EXPECT_EQ(*products.previews.reflection, *wanted.previews.reflection);
+  EXPECT_EQ(*products.previews.original, *wanted.previews.original);
+  ASSERT_EQ(products.previews.difference == nullptr, wanted.previews.difference == nullptr);
+  EXPECT_TRUE(!wanted.previews.difference || *products.previews.difference == *wanted.previews.difference);
+  EXPECT_TRUE(products.refined && products.complete);
+  const Camera& camera = session.level().camera;
+  ASSERT_TRUE(products.scene && products.screen);
+  EXPECT_EQ(products.scene->input, makeReflectionScene(session.level(), products.sculpture));
+  EXPECT_EQ(products.screen->width, camera.gridColumns);
+  EXPECT_EQ(products.screen->height, camera.gridRows);
+}
+
+/// What is shown in the frame of a change: all of it of the level as it is now.
+void expectFollowing(const Products& products, const Level& level) {
+  EXPECT_EQ(products.level, level);
+  EXPECT_FALSE(products.refined || products.complete);
+  EXPECT_EQ(*products.original.mesh,
+            *placeOriginal(*products.shape, level.original.unitize, level.original.placement));
+  const auto [width, height] = pictureSize(level.camera, 48);
+  ASSERT_TRUE(products.previews.reflection && products.previews.original);
+  EXPECT_EQ(products.previews.reflection->width, width);
+  EXPECT_EQ(products.previews.original->height, height);
+  ASSERT_TRUE(products.scene && products.screen);
+  EXPECT_EQ(products.scene->input, makeReflectionScene(level, products.sculpture));
+  EXPECT_EQ(products.problem.has_value(), products.sculpture.sculpture->mesh.triangles.empty());
+  EXPECT_EQ(products.match == nullptr, products.problem.has_value());
+  EXPECT_EQ(products.previews.difference == nullptr, products.problem.has_value());
+  EXPECT_TRUE(!products.match || products.match->report.width == width);
+  const Sculpture& sculpture = *products.sculpture.sculpture;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < sculpture.original.size(); ++i) {
+    const MappedPoint mapped =
+        mapPoint(level.optic, level.camera.eye, sculpture.original[i], level.sculpture.depthScale);
+    wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
+  }
+  EXPECT_EQ(wrong, 0u);
+}
+
+TEST(Studio, FinishedProductsAreThoseOfThePipeline) {
+  for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
+    SCOPED_TRACE(name);
+    Session session;
+    openQuick(session, name);
+    Studio studio({}, 2);
+    studio.finish(session, quick);
+    expectSettled(studio.products(), session, quick);
+    EXPECT_EQ(studio.products().trees, nullptr);
+    EXPECT_FALSE(studio.update(session, quick)) << "nothing is new";
+  }
+}
+
+TEST(Studio, TreesAreTheRaysOfTheGridWhenAskedFor) {
+  Session session;
+  openQuick(session, "2-cylinder");
+  Level level = session.level();
+  level.camera.gridColumns = 5;
+  level.camera.gridRows = 3;
+  session.edit(level);
+  Studio studio({}, 2);
+  const StudioOptions withTrees{40, true};
+  studio.finish(session, withTrees);
+  const Products& products = studio.products();
+  ASSERT_TRUE(products.trees);
+  ASSERT_EQ(products.trees->size(), 15u);
+  const ImageRequest request = makeImageRequest(level, 5, 3, 1);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 5; ++x) {
+      const RayTree wanted = tracePath(*products.scene, level.camera, request, {x + 0.5, y + 0.5});
+      const RayTree& tree = (*products.trees)[static_cast<std::size_t>(5 * y + x)];
+      EXPECT_EQ(tree.color, wanted.color);
+      EXPECT_EQ(tree.segments.size(), wanted.segments.size());
+    }
+  }
+  const auto before = products.trees;
+  studio.update(session, withTrees);
+  EXPECT_EQ(products.trees, before) << "kept";
+  EXPECT_TRUE(studio.update(session, quick));
+  EXPECT_EQ(products.trees, nullptr);
+}
+
+TEST(Studio, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
+  int problems = 0;
+  for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(name + std::string(", seed ") + std::to_string(seed));
+      Random random(seed);
+      Session session;
+      openQuick(session, name);
+      Studio studio({}, 2);
+      studio.finish(session, quick);
+      const Level start = session.level();
+      for (int i = 0; i < 8; ++i) {
+        session.change(changed(start, random, i < 4 ? 0.3 : 4));
+        EXPECT_TRUE(studio.update(session, quick));
+        expectFollowing(studio.products(), session.level());
+        problems += studio.products().problem.has_value();
+        EXPECT_GT(studio.liveTimes().total(), 0);
+      }
+      session.finishChange();
+      EXPECT_TRUE(studio.update(session, quick) || studio.busy());
+      studio.finish(session, quick);
+      expectSettled(studio.products(), session, quick);
+    }
+  }
+  EXPECT_GT(problems, 0);
+}
+
+TEST(Studio, TimesOfTheLastMoveStayWhenNothingMoves) {
+  Session session;
+  openQuick(session, "1-plane");
+  Studio studio({}, 2);
+  studio.finish(session, quick);
+  Level level = session.level();
+  level.camera.eye.x += 0.5;
+  session.change(level);
+  studio.update(session, quick);
+  const double total = studio.liveTimes().total();
+  EXPECT_GT(studio.liveTimes().rays, 0);
+  studio.update(session, quick);
+  EXPECT_EQ(studio.liveTimes().total(), total);
+}
+
+TEST(Studio, CancelledDragSettlesWhereItBegan) {
+  Session session;
+  openQuick(session, "3-sphere");
+  Studio studio({}, 2);
+  studio.finish(session, quick);
+  Level level = session.level();
+  level.camera.eye.x += 2;
+  session.change(level);
+  studio.update(session, quick);
+  session.cancelChange();
+  studio.update(session, quick);
+  expectFollowing(studio.products(), session.level());
+  studio.finish(session, quick);
+  expectSettled(studio.products(), session, quick);
+}
+
+TEST(Studio, PauseInADragGetsItsSettledState) {
+  Session session;
+  openQuick(session, "2-cylinder");
+  Studio studio({}, 2);
+  studio.finish(session, quick);
+  Level level = session.level();
+  for (int pause = 0; pause < 2; ++pause) {
+    level.camera.eye.x += 0.7;
+    session.change(level);
+    studio.update(session, quick);
+    EXPECT_TRUE(studio.busy()) << "it will be";
+    ASSERT_TRUE(studio.secondsUntilDue());
+    EXPECT_GT(*studio.secondsUntilDue(), 0.1);
+    EXPECT_LE(*studio.secondsUntilDue(), 0.25);
+    EXPECT_FALSE(studio.products().complete);
+    ASSERT_TRUE(updateUntil(studio, session, quick, [&] {
+      EXPECT_TRUE(studio.busy() || studio.products().complete) << "a window would fall asleep here";
+      return studio.products().complete;
+    }));
+    EXPECT_TRUE(session.changing());
+    EXPECT_EQ(studio.secondsUntilDue(), std::nullopt);
+    expectSettled(studio.products(), session, quick);
+    level.sculpture.depthScale *= 0.9;
+    session.change(level);
+    studio.update(session, quick);
+    expectFollowing(studio.products(), level);
+  }
+}
+
+TEST(Studio, ProblemComesAndGoes) {
+  Session session;
+  openQuick(session, "3-sphere");
+  Studio studio({}, 2);
+  studio.finish(session, quick);
+  const Level good = session.level();
+  Level inside = good;
+  inside.camera.eye = std::get<SphereMirror>(good.optic.shape).centre + Vector(0, 0, 0.5);
+  Level flat = good;
+  std::get<SphereMirror>(flat.optic.shape).radius = 0;
+  Level tiny = good;
+  tiny.original.placement.scale = Vector(0);
+  Level beside = good;
+  beside.original.placement.position.x = 200;
+  for (const Level& bad : {inside, flat, tiny, beside}) {
+    // In one drag ...
+    for (const Level* level : {&bad, &good, &bad, &good}) {
+      session.change(*level);
+      studio.update(session, quick);
+      expectFollowing(studio.products(), *level);
+      EXPECT_EQ(studio.products().problem.has_value(), level == &bad);
+    }
+    session.finishChange();
+    studio.finish(session, quick);
+    expectSettled(studio.products(), session, quick);
+    // ... and with a rest in it.
+    for (const Level* level : {&bad, &good}) {
+      session.edit(*level);
+      studio.update(session, quick);
+      EXPECT_EQ(studio.products().problem.has_value(), level == &bad);
+      studio.finish(session, quick);
+      expectSettled(studio.products(), session, quick);
+    }
+    session.edit(bad);
+    studio.finish(session, quick);
+    session.change(good);
+    studio.update(session, quick);
+    expectFollowing(studio.products(), good);
+    EXPECT_EQ(studio.products().problem, std::nullopt);
+    session.finishChange();
+    studio.finish(session, quick);
+  }
+}
+
+TEST(Studio, WhateverHappensMeanwhileTheEndIsRight) {
+  const char* names[] = {"1-plane", "2-cylinder", "3-sphere"};
+  const OriginalShape shapes[] = {BoxShape{{6, 2, 2}, 6}, BoxShape{{2, 2, 2}, 1}, SphereShape{1, 16},
+                                  FileShape{"../tests/data/meshes/cube.obj"}, FileShape{"nothing.obj"}};
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Session session;
+    openQuick(session, names[seed % 3]);
+    Studio studio({}, 2);
+    for (int i = 0; i < 30; ++i) {
+      Level level = session.level();
+      switch (random.integer(0, 8)) {
+        case 0:
+          level.original.shape = shapes[random.integer(0, 4)];
+          session.edit(level);
+          break;
+        case 1:
+          openQuick(session, names[random.integer(0, 2)]);
+          break;
+        case 2:
+          session.finishChange();
+          break;
+        case 3:
+          session.undo();
+          break;
+        case 4:
+          session.redo();
+          break;
+        case 5:
+          session.edit(changed(level, random, 0.5));
+          break;
+        case 6:
+          if (random.integer(0, 3) == 0) studio.cancel();
+          break;
+        default:
+          session.change(changed(level, random, random.uniform(0, 2)));
+      }
+      if (random.integer(0, 3) > 0) studio.update(session, quick);
+      std::this_thread::sleep_for(std::chrono::microseconds(int(std::pow(10, random.uniform(0, 4.5)))));
+    }
+    Level level = session.level();
+    if (level.original.shape == shapes[4]) {
+      studio.finish(session, quick);
+      ASSERT_TRUE(studio.products().problem);
+      EXPECT_NE(studio.products().problem->find("nothing.obj"), std::string::npos);
+      level.original.shape = shapes[0];
+    }
+    level.title = "the last one";  // whatever was cancelled
+    session.edit(level);
+    studio.finish(session, quick);
+    expectSettled(studio.products(), session, quick);
+  }
+}
+
+TEST(Studio, LevelOpenedWhileTheWorkerIsBusyTakesOver) {
+  Session session;
+  session.open(levels / "3-sphere.json");
+  Level heavy = session.level();
+  heavy.sculpture.tolerancePixels = 0.02;
+  session.edit(heavy);
+  Studio studio({}, 2);
+  studio.update(session, quick);
+  ASSERT_TRUE(studio.busy());
+  openQuick(session, "1-plane");
+  EXPECT_TRUE(studio.update(session, quick));
+  EXPECT_EQ(studio.products().level, session.level());
+  EXPECT_EQ(studio.products().sculpture.sculpture, nullptr) << "nothing of the other level is shown";
+  studio.finish(session, quick);
+  expectSettled(studio.products(), session, quick);
+}
+
+TEST(Studio, MeshFileThatFailsIsAProblemAndLaterRecovers) {
+  Session session;
+  openQuick(session, "1-plane");
+  const Level good = session.level();
+  Level bad = good;
+  bad.original.shape = FileShape{"nothing.obj"};
+  Studio studio({}, 2);
+  for (int round = 0; round < 2; ++round) {
+    session.edit(bad);
+    studio.finish(session, quick);
+    ASSERT_TRUE(studio.products().problem);
+    EXPECT_NE(studio.products().problem->find("nothing.obj"), std::string::npos)
+        << *studio.products().problem;
+    EXPECT_FALSE(studio.products().refined);
+    session.undo();
+    studio.finish(session, quick);
+    expectSettled(studio.products(), session, quick);
+  }
+}
+
+/// A level in a folder of its own, whose original is a file.
+class StudioFile : public ::testing::Test {
+ protected:
+  StudioFile() {
+    std::string name = (std::filesystem::temp_directory_path() / "anamorph-studio-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    Level level = quickLevels()[0];
+    level.original.shape = FileShape{"mesh.obj"};
+    saveLevel(levelPath(), level);
+  }
+  ~StudioFile() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path levelPath() const { return folder_ / "level.json"; }
+  void writeBox(int segments) const { saveMesh(folder_ / "mesh.obj", makeBox({6, 2, 2}, segments)); }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(StudioFile, FailureOfALevelIsNotTheNextOnes) {
+  Session session;
+  session.open(levelPath());
+  std::atomic<int> wakes{0};
+  Studio studio([&] { ++wakes; }, 2);
+  studio.update(session, quick);
+  ASSERT_TRUE(waitUntil([&] { return wakes > 0; })) << "it has failed, and nobody has looked yet";
+  openQuick(session, "1-plane");
+  studio.update(session, quick);
+  EXPECT_EQ(studio.products().problem, std::nullopt);
+  EXPECT_FALSE(studio.products().complete);
+  studio.finish(session, quick);
+  expectSettled(studio.products(), session, quick);
+}
+
+TEST_F(StudioFile, OpenedAgainReadsItsMeshAgain) {
+  Session session;
+  session.open(levelPath());
+  Studio studio({}, 2);
+  studio.finish(session, quick);
+  ASSERT_TRUE(studio.products().problem) << "there is no mesh yet";
+  EXPECT_EQ(studio.products().sculpture.sculpture, nullptr);
+  for (const int segments : {3, 5}) {
+    writeBox(segments);
+    session.open(levelPath());
+    studio.finish(session, quick);
+    EXPECT_EQ(studio.products().problem, std::nullopt);
+    EXPECT_EQ(studio.products().shape->triangles.size(), std::size_t(12 * segments * segments));
+    expectSettled(studio.products(), session, quick);
+  }
+}
+
+TEST(Studio, AnotherPreviewSizeIsNotCompleteUntilItIsThere) {
+  Session session;
+  openQuick(session, "1-plane");
+  Studio studio({}, 2);
+  for (const int size : {32, 64, 0, 32}) {
+    studio.finish(session, {size, false});
+    EXPECT_EQ(studio.products().previews.reflection->width, size > 0 ? size : 8);
+    expectSettled(studio.products(), session, {size, false});
+  }
+}
+
+TEST(Studio, CancelStopsUntilTheLevelChanges) {
+  Session session;
+  session.open(levels / "3-sphere.json");
+  Level level = session.level();
+  level.sculpture.tolerancePixels = 0.02;
+  session.edit(level);
+  Studio studio({}, 2);
+  studio.update(session, quick);
+  studio.cancel();
+  ASSERT_TRUE(updateUntil(studio, session, quick, [&] { return !studio.busy(); }));
+  for (int i = 0; i < 20; ++i) {
+    studio.update(session, quick);
+    EXPECT_FALSE(studio.busy());
+  }
+  EXPECT_FALSE(studio.products().complete);
+  openQuick(session, "3-sphere");
+  studio.update(session, quick);
+  studio.cancel();
+  level = session.level();
+  level.title = "changed";
+  session.edit(level);
+  ASSERT_TRUE(updateUntil(studio, session, quick, [&] { return studio.products().complete; }));
+  expectSettled(studio.products(), session, quick);
+}
+
+TEST(Studio, FinishAfterCancelFinishes) {
+  Session session;
+  openQuick(session, "1-plane");
+  Studio studio({}, 2);
+  studio.update(session, quick);
+  studio.cancel();
+  studio.finish(session, quick);
+  expectSettled(studio.products(), session, quick);
+}
+
+TEST(Studio, WakesWhenThereIsSomethingToTake) {
+  Session session;
+  openQuick(session, "1-plane");
+  std::atomic<int> wakes{0};
+  Studio studio([&] { ++wakes; }, 2);
+  studio.update(session, quick);
+  int taken = 0;
+  // As a window does: it looks only when woken.
+  while (!studio.products().complete) {
+    ASSERT_TRUE(waitUntil([&] { return wakes > taken; }));
+    taken = wakes;
+    studio.update(session, quick);
+  }
+  EXPECT_GE(taken, 3) << "step by step";
+}
+
+TEST(Studio, LargeOriginalsDoNotFollowInTheFrame) {
+  Session session;
+  openQuick(session, "1-plane", 183);
+  Level level = session.level();
+  level.sculpture.tolerancePixels = 0;
+  session.edit(level);
+  Studio studio({}, 2);
+  const StudioOptions small{16, false};
+  studio.finish(session, small);
+  const Products& products = studio.products();
+  ASSERT_GT(products.shape->positions.size(), Studio::liveVertexLimit);
+  expectSettled(products, session, small);
+  const auto original = products.original.mesh;
+  const auto sculpture = products.sculpture.sculpture;
+  const auto match = products.match;
+  for (int i = 0; i < 10; ++i) {
+    level.original.placement.position.x += 0.01;
+    session.change(level);
+    EXPECT_TRUE(studio.update(session, small));
+    EXPECT_EQ(products.level, level);
+    EXPECT_FALSE(products.refined || products.complete);
+    EXPECT_TRUE(studio.busy());
+    if (i > 0) continue;  // later on the worker may have delivered
+    EXPECT_EQ(products.original.mesh, original);
+    EXPECT_EQ(products.sculpture.sculpture, sculpture);
+    EXPECT_EQ(products.match, match);
+    const LiveTimes& times = studio.liveTimes();
+    EXPECT_EQ(times.original + times.sculpture + times.preview + times.match, 0);
+  }
+  // While the drag goes on, what the worker makes is shown though it is of a moment ago.
+  ASSERT_TRUE(updateUntil(studio, session, small, [&] { return products.sculpture.sculpture != sculpture; }));
+  session.finishChange();
+  studio.finish(session, small);
+  EXPECT_EQ(products.level, level);
+  EXPECT_EQ(*products.original.mesh, *placeOriginal(*products.shape, false, level.original.placement));
+
+  std::get<BoxShape>(level.original.shape).segments = 4;
+  session.edit(level);
+  studio.finish(session, small);
+  expectSettled(products, session, small);
+  level.camera.eye.x += 0.1;
+  session.change(level);
+  studio.update(session, small);
+  expectFollowing(products, level);
+}
+
+}  // namespace
+}  // namespace anamorph

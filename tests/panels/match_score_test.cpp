@@ -1,0 +1,72 @@
+#include "panels/match_score.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace anamorph {
+namespace {
+
+Products measured(double iou, bool refined = true) {
+  auto match = std::make_shared<Match>();
+  match->report.silhouetteIou = iou;
+  match->report.comparedPixels = 100;
+  match->report.triangleAgreement = iou > 0.9 ? 1 : 0;
+  Products products;
+  products.match = match;
+  products.refined = refined;
+  return products;
+}
+
+TEST(MatchScore, IsUnknownBeforeItIsMeasured) {
+  const MatchScore score = matchScore({});
+  EXPECT_EQ(score.percent, "...");
+  EXPECT_EQ(score.tone, MatchScore::Tone::unknown);
+  EXPECT_TRUE(score.parts.empty());
+}
+
+TEST(MatchScore, OfAProblemIsNothingAndSaysWhy) {
+  Products products = measured(1);
+  products.problem = "the eye is inside the sphere.";
+  const MatchScore score = matchScore(products);
+  EXPECT_EQ(score.share, 0);
+  EXPECT_EQ(score.percent, "0 %");
+  EXPECT_EQ(score.word, "none");
+  EXPECT_EQ(score.tone, MatchScore::Tone::bad);
+  EXPECT_EQ(score.help, *products.problem);
+}
+
+TEST(MatchScore, IsNeverRoundedUpToPerfect) {
+  EXPECT_EQ(matchScore(measured(1)).percent, "100.00 %");
+  EXPECT_EQ(matchScore(measured(0.99999)).percent, "99.99 %");
+  EXPECT_EQ(matchScore(measured(0.999953)).percent, "99.99 %");
+  EXPECT_EQ(matchScore(measured(0.5)).percent, "50.00 %");
+  EXPECT_EQ(matchScore(measured(0)).percent, "0.00 %");
+  EXPECT_NE(matchScore(measured(0.9997, false)).percent, "100.0 %");
+}
+
+TEST(MatchScore, GradesInWordAndColour) {
+  EXPECT_EQ(matchScore(measured(1)).word, "excellent");
+  EXPECT_EQ(matchScore(measured(1)).tone, MatchScore::Tone::good);
+  EXPECT_EQ(matchScore(measured(0.7)).word, "partial");
+  EXPECT_EQ(matchScore(measured(0.7)).tone, MatchScore::Tone::middling);
+  EXPECT_EQ(matchScore(measured(0.1)).word, "none");
+  EXPECT_EQ(matchScore(measured(0.1)).tone, MatchScore::Tone::bad);
+  EXPECT_EQ(matchScore(measured(0.7, false)).word, "live");
+}
+
+TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
+  Products products = measured(1);
+  auto match = std::make_shared<Match>(*products.match);
+  match->report.hiddenShare = 0.2;
+  products.match = match;
+  const MatchScore score = matchScore(products);
+  ASSERT_EQ(score.parts.size(), 4u);
+  EXPECT_TRUE(score.parts[0].good && score.parts[1].good && score.parts[3].good);
+  EXPECT_FALSE(score.parts[2].good);
+  EXPECT_EQ(score.parts[2].value, "20.0 %");
+  EXPECT_NE(score.word, "excellent");
+}
+
+}  // namespace
+}  // namespace anamorph

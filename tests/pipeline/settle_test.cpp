@@ -1,0 +1,363 @@
+#include "pipeline/settle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "pipeline/changing_levels.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+
+SettleInput inputOf(const Level& level, int previewSize = 48) {
+  return {level, "level.json", previewSize};
+}
+
+bool isSound(const Image& image) {
+  for (const glm::vec3& pixel : image.pixels) {
+    for (int i = 0; i < 3; ++i) {
+      if (!(std::isfinite(pixel[i]) && pixel[i] >= 0)) return false;
+    }
+  }
+  return true;
+}
+
+void expectSameReport(const MatchReport& a, const MatchReport& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.silhouetteIou, b.silhouetteIou);
+  EXPECT_EQ(a.comparedPixels, b.comparedPixels);
+  EXPECT_EQ(a.p99Px, b.p99Px);
+  EXPECT_EQ(a.triangleAgreement, b.triangleAgreement);
+}
+
+/// By value: what was made anew has other pointers.
+void expectSame(const Settled& a, const Settled& b) {
+  EXPECT_EQ(a.input, b.input);
+  EXPECT_EQ(*a.shape, *b.shape);
+  EXPECT_EQ(*a.original.mesh, *b.original.mesh);
+  EXPECT_EQ(a.sculpture.sculpture->mesh, b.sculpture.sculpture->mesh);
+  EXPECT_EQ(a.problem, b.problem);
+  EXPECT_EQ(a.warnings, b.warnings);
+  ASSERT_EQ(a.match == nullptr, b.match == nullptr);
+  if (a.match) {
+    expectSameReport(a.match->report, b.match->report);
+    EXPECT_EQ(a.match->classes, b.match->classes);
+  }
+  ASSERT_TRUE(a.previews.reflection && b.previews.reflection);
+  EXPECT_EQ(*a.previews.reflection, *b.previews.reflection);
+  EXPECT_EQ(*a.previews.original, *b.previews.original);
+  ASSERT_EQ(a.previews.difference == nullptr, b.previews.difference == nullptr);
+  if (a.previews.difference) {
+    EXPECT_EQ(*a.previews.difference, *b.previews.difference);
+  }
+  EXPECT_TRUE(a.complete && b.complete);
+}
+
+Settled settleAlone(const SettleInput& input) {
+  Settler settler;
+  return *settler.settle(input, 2);
+}
+
+TEST(Settler, MakesWhatTheCommandsMake) {
+  for (const Level& level : quickLevels()) {
+    SCOPED_TRACE(level.title);
+    Settler settler;
+    const Settled settled = *settler.settle(inputOf(level), 2);
+    EXPECT_EQ(settled.problem, std::nullopt);
+    EXPECT_TRUE(settled.complete);
+    const FinishedLevel finished = *finishLevel(level, placedOriginal(level), 1);
+    EXPECT_EQ(*settled.original.mesh, *finished.original.mesh);
+    EXPECT_EQ(settled.sculpture.sculpture->mesh, finished.sculpture.sculpture->mesh);
+    EXPECT_EQ(settled.warnings, findWarnings(level, *finished.sculpture.sculpture));
+    const auto [matchWidth, matchHeight] = pictureSize(level.camera, matchSize);
+    expectSameReport(settled.match->report, matchLevel(finished, matchWidth, matchHeight, 1).report);
+    const auto [width, height] = pictureSize(level.camera, 48);
+    const ImageRequest request = makeImageRequest(level, width, height, 1);
+    EXPECT_EQ(*settled.previews.reflection, *makePicture(finished, PictureKind::reflection, request));
+    EXPECT_EQ(*settled.previews.original, *makePicture(finished, PictureKind::original, request));
+    const Match match = matchLevel(finished, width, height);
+    EXPECT_EQ(*settled.previews.difference, *makePicture(finished, PictureKind::difference, request, &match));
+  }
+}
+
+TEST(Settler, KeepsEachStageWhoseInputStays) {
+  Level level = quickLevels()[1];
+  Settler settler;
+  const Settled first = *settler.settle(inputOf(level), 2);
+
+  level.title = "another one";
+  const Settled retitled = *settler.settle(inputOf(level), 2);
+  EXPECT_EQ(retitled.shape, first.shape);
+  EXPECT_EQ(retitled.original, first.original);
+  EXPECT_EQ(retitled.sculpture, first.sculpture);
+  EXPECT_EQ(retitled.match, first.match);
+  EXPECT_EQ(retitled.previews.reflection, first.previews.reflection);
+  EXPECT_EQ(retitled.previews.original, first.previews.original);
+
+  level.lights[0].position.x += 5;
+  const Settled lit = *settler.settle(inputOf(level), 2);
+  EXPECT_EQ(lit.shape, first.shape);
+  EXPECT_EQ(lit.original, first.original);
+  EXPECT_EQ(lit.sculpture, first.sculpture);
+  EXPECT_EQ(lit.match, first.match);
+  EXPECT_NE(*lit.previews.reflection, *first.previews.reflection);
+  expectSame(lit, settleAlone(inputOf(level)));
+
+  level.sculpture.material.color = Color(0, 1, 0);  // the original's picture does not depend on it
+  const Settled painted = *settler.settle(inputOf(level), 2);
+  EXPECT_EQ(painted.sculpture, first.sculpture);
+  EXPECT_EQ(painted.previews.original, lit.previews.original);
+  EXPECT_NE(*painted.previews.reflection, *lit.previews.reflection);
+
+  const Settled larger = *settler.settle(inputOf(level, 64), 2);
+  EXPECT_EQ(larger.match, first.match);
+  EXPECT_EQ(larger.previews.reflection->width, 64);
+
+  level.sculpture.depthScale *= 0.9;
+  const Settled deeper = *settler.settle(inputOf(level), 2);
+  EXPECT_EQ(deeper.original, first.original);
+  EXPECT_NE(deeper.sculpture, first.sculpture);
+  expectSame(deeper, settleAlone(inputOf(level)));
+}
+
+TEST(Settler, RandomEditsGiveWhatAFreshOneGives) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Level start = quickLevels()[seed];
+    Settler settler;
+    for (int i = 0; i < 5; ++i) {
+      SettleInput input = inputOf(changed(start, random, random.uniform(0, 3)), random.integer(0, 40));
+      if (random.integer(0, 2) == 0) input.level.original.shape = SphereShape{1, 12};
+      const auto settled = settler.settle(input, 2);
+      ASSERT_TRUE(settled);
+      expectSame(*settled, settleAlone(input));
+    }
+  }
+}
+
+/// Everything that `before` has, `after` has too.
+void expectGrown(const Settled& before, const Settled& after) {
+  EXPECT_EQ(after.input, before.input);
+  EXPECT_EQ(after.shape, before.shape);
+  EXPECT_EQ(after.original, before.original);
+  EXPECT_EQ(after.sculpture, before.sculpture);
+  EXPECT_EQ(after.problem, before.problem);
+  EXPECT_EQ(after.warnings, before.warnings);
+  EXPECT_TRUE(!before.match || after.match == before.match);
+  EXPECT_TRUE(after.previews.reflection || !before.previews.reflection);
+  EXPECT_TRUE(after.previews.original || !before.previews.original);
+  EXPECT_TRUE(after.previews.difference || !before.previews.difference);
+  EXPECT_FALSE(before.complete) << "nothing comes after all";
+}
+
+TEST(Settler, PartsOnlyEverGainThings) {
+  std::vector<Level> levels = quickLevels();
+  levels.push_back(levels[2]);
+  levels.back().camera.eye = std::get<SphereMirror>(levels[2].optic.shape).centre;
+  for (const Level& level : levels) {
+    Settler settler;
+    for (int run = 0; run < 2; ++run) {
+      SCOPED_TRACE(level.title + ", run " + std::to_string(run));
+      std::vector<Settled> parts;
+      double reported = 0;
+      Progress progress;
+      progress.report = [&](double share) {
+        EXPECT_GE(share, reported);
+        EXPECT_LE(share, 1);
+        reported = share;
+      };
+      const Settled settled = *settler.settle(
+          inputOf(level), 2, [&](const Settled& part) { parts.push_back(part); }, progress);
+      ASSERT_GE(parts.size(), 3u);
+      EXPECT_TRUE(run > 0 || parts.size() >= 8) << "coarse pictures first";
+      ASSERT_TRUE(parts.front().sculpture.sculpture);
+      for (std::size_t i = 1; i < parts.size(); ++i) expectGrown(parts[i - 1], parts[i]);
+      EXPECT_TRUE(parts.back().complete);
+      expectSame(parts.back(), settled);
+    }
+  }
+}
+
+TEST(Settler, CancelledAnywhereTheNextRunIsRight) {
+  const Level level = quickLevels()[1];
+  Level other = level;
+  other.camera.eye.z += 0.5;
+  const Settled wanted = settleAlone(inputOf(level)), otherWanted = settleAlone(inputOf(other));
+  int cancelled = 0;
+  bool done = false;
+  Settler kept;  // the same one through all cancellations
+  for (int steps = 0; !done; steps += 1 + steps / 6) {
+    SCOPED_TRACE("cancelled at report " + std::to_string(steps));
+    const bool even = cancelled % 2 == 0;
+    Settler fresh;
+    Settler& settler = steps % 3 == 0 ? fresh : kept;
+    Progress progress;
+    int reports = 0;
+    const auto tick = [&] {
+      if (reports++ == steps) progress.token.cancel();
+    };
+    progress.report = [&](double) { tick(); };
+    const auto settled = settler.settle(
+        inputOf(even ? level : other), 1, [&](const Settled&) { tick(); }, progress);
+    done = !progress.cancelled();
+    if (settled) {
+      expectSame(*settled, even ? wanted : otherWanted);
+    } else {
+      EXPECT_TRUE(progress.cancelled());
+      ++cancelled;
+    }
+    if (steps % 4 == 0) {
+      const auto next = settler.settle(inputOf(level), 2);
+      ASSERT_TRUE(next);
+      expectSame(*next, wanted);
+    }
+    ASSERT_LT(steps, 100000);
+  }
+  EXPECT_GT(cancelled, 8);
+}
+
+TEST(Settler, CancelledBeforeItBeginsGivesNothing) {
+  Settler settler;
+  Progress progress;
+  progress.token.cancel();
+  int parts = 0;
+  const SettleInput input = inputOf(quickLevels()[0]);
+  EXPECT_FALSE(settler.settle(
+      input, 1, [&](const Settled&) { ++parts; }, progress));
+  EXPECT_EQ(parts, 0);
+  ASSERT_TRUE(settler.settle(input, 1));
+  EXPECT_FALSE(settler.settle(input, 1, {}, progress)) << "also when all is known already";
+}
+
+struct Trouble {
+  std::string name;
+  Level level;
+  std::string sentence;  // a part of it
+};
+
+std::vector<Trouble> troubles() {
+  const std::vector<Level> levels = quickLevels();
+  std::vector<Trouble> all{
+      {"eye in the sphere", levels[2], "inside"},
+      {"sphere without radius", levels[2], "sphere mirror cannot be used"},
+      {"cylinder without radius", levels[1], "cylinder mirror cannot be used"},
+      {"plane without area", levels[0], "plane mirror cannot be used"},
+      {"original without size", levels[0], "area"},
+      {"original without size, unrefined", levels[1], "area"},
+      {"eye in the original", levels[0], "the eye is inside the original's box"},
+      {"original beside the mirror", levels[0], "no triangle of the original can be mapped"},
+      {"original before the mirror", levels[2], "between the eye and the mirror"}};
+  all[0].level.camera.eye = std::get<SphereMirror>(levels[2].optic.shape).centre + Vector(0, 0, 0.5);
+  std::get<SphereMirror>(all[1].level.optic.shape).radius = 0;
+  std::get<CylinderMirror>(all[2].level.optic.shape).radius = 0;
+  std::get<PlaneMirror>(all[3].level.optic.shape).corners = {Point(1), Point(1), Point(1), Point(1)};
+  all[4].level.original.placement.scale = Vector(0);
+  all[5].level.original.placement.scale = Vector(0);
+  all[5].level.sculpture.tolerancePixels = 0;
+  all[6].level.camera.eye = all[6].level.original.placement.position;
+  all[7].level.original.placement.position.x = 100;
+  all[8].level.original.placement.position = 0.5 * (all[8].level.camera.eye + Point(0, 0, 4));
+  all[8].level.original.placement.scale = Vector(0.2);
+  return all;
+}
+
+TEST(Settler, ProblemsAreSentencesAndPicturesStaySound) {
+  Settler kept;
+  for (const Trouble& trouble : troubles()) {
+    SCOPED_TRACE(trouble.name);
+    Settler fresh;
+    for (Settler* settler : {&fresh, &kept}) {
+      const auto settled = settler->settle(inputOf(trouble.level), 2, [](const Settled& part) {
+        for (const auto& picture :
+             {part.previews.reflection, part.previews.original, part.previews.difference}) {
+          EXPECT_TRUE(!picture || isSound(*picture));
+        }
+      });
+      ASSERT_TRUE(settled);
+      ASSERT_TRUE(settled->problem);
+      EXPECT_NE(settled->problem->find(trouble.sentence), std::string::npos) << *settled->problem;
+      EXPECT_TRUE(settled->complete);
+      EXPECT_TRUE(settled->sculpture.sculpture->mesh.triangles.empty());
+      EXPECT_TRUE(settled->warnings.empty());
+      EXPECT_EQ(settled->match, nullptr);
+      EXPECT_EQ(settled->previews.difference, nullptr);
+      ASSERT_TRUE(settled->previews.reflection && settled->previews.original);
+    }
+  }
+  const Level level = quickLevels()[2];
+  expectSame(*kept.settle(inputOf(level), 2), settleAlone(inputOf(level)));
+}
+
+TEST(Settler, PartlyUnmappedIsAWarningOnly) {
+  Level level = quickLevels()[0];
+  level.original.placement.position.x += 4;
+  const Settled settled = settleAlone(inputOf(level));
+  EXPECT_EQ(settled.problem, std::nullopt);
+  ASSERT_FALSE(settled.warnings.empty());
+  EXPECT_NE(settled.warnings[0].find("vertices mapped"), std::string::npos);
+  EXPECT_TRUE(settled.match && settled.previews.difference);
+}
+
+TEST(Settler, PreviewSizeZeroIsThePixelGrid) {
+  for (const auto& [columns, rows] : {std::pair{8, 8}, {1, 1}, {64, 1}, {1, 64}, {13, 7}, {64, 64}}) {
+    SCOPED_TRACE(std::to_string(columns) + " x " + std::to_string(rows));
+    Level level = quickLevels()[0];
+    level.camera.gridColumns = columns;
+    level.camera.gridRows = rows;
+    const Settled settled = settleAlone(inputOf(level, 0));
+    for (const auto& picture :
+         {settled.previews.reflection, settled.previews.original, settled.previews.difference}) {
+      ASSERT_TRUE(picture);
+      EXPECT_EQ(picture->width, columns);
+      EXPECT_EQ(picture->height, rows);
+      EXPECT_TRUE(isSound(*picture));
+    }
+    ASSERT_TRUE(settled.match);
+    const Settled sized = settleAlone(inputOf(level, 40));
+    EXPECT_EQ(std::max(sized.previews.reflection->width, sized.previews.reflection->height), 40);
+  }
+}
+
+TEST(PictureSize, HasTheGridsSidesAndAtLeastAPixel) {
+  const auto size = [](int columns, int rows, int longer) {
+    Camera camera;
+    camera.gridColumns = columns;
+    camera.gridRows = rows;
+    return pictureSize(camera, longer);
+  };
+  EXPECT_EQ(size(8, 8, 256), std::pair(256, 256));
+  EXPECT_EQ(size(16, 9, 256), std::pair(256, 144));
+  EXPECT_EQ(size(9, 16, 256), std::pair(144, 256));
+  EXPECT_EQ(size(64, 1, 48), std::pair(48, 1));
+  EXPECT_EQ(size(64, 1, 10), std::pair(10, 1));
+  EXPECT_EQ(size(1, 1, 512), std::pair(512, 512));
+  EXPECT_EQ(size(5, 3, 0), std::pair(5, 3));
+  EXPECT_EQ(size(5, 3, 1), std::pair(1, 1));
+}
+
+TEST(Settler, FileThatCannotBeReadIsAnErrorAndTheNextOneIsFine) {
+  Level level = quickLevels()[0];
+  Settler settler;
+  const SettleInput good = inputOf(level);
+  ASSERT_TRUE(settler.settle(good, 2));
+  level.original.shape = FileShape{"nothing.obj"};
+  EXPECT_THROW(settler.settle(inputOf(level), 2), Error);
+  EXPECT_THROW(settler.settle(inputOf(level), 2), Error) << "and again";
+  expectSame(*settler.settle(good, 2), settleAlone(good));
+  level.original.shape = FileShape{"cube.obj"};
+  SettleInput file = inputOf(level);
+  file.levelPath = std::string(ANAMORPH_TEST_DATA) + "/meshes/level.json";
+  const auto settled = settler.settle(file, 2);
+  ASSERT_TRUE(settled);
+  EXPECT_EQ(settled->shape->positions.size(), 8u);
+}
+
+}  // namespace
+}  // namespace anamorph
