@@ -97,8 +97,8 @@ void addRows(Construction& made, bool meetsMirror, double depthScale) {
     add("N  normal at Q", directionText(ray.normal));
   }
   if (meetsMirror && ray.status != PathStatus::inFrontOfMirror) {
-    add("α  to the normal, both", angleText(ray.angleDegrees));
-    add("R  reflected direction", directionText(ray.reflected));
+    add("α  both angles", angleText(ray.angleDegrees));
+    add("R  reflected", directionText(ray.reflected));
     addLength("d = |PQ|", ray.distance);
     addLength("k  depth scale", depthScale);
   }

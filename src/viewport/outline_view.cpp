@@ -77,9 +77,10 @@ PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin,
 
 OutlineView::OutlineView()
     : mesh_("mesh.vert.glsl", "mask.frag.glsl"),
+      traced_("full_screen.vert.glsl", "traced_mask.frag.glsl"),
       plain_("full_screen.vert.glsl", "plain_mask.frag.glsl"),
       outline_("full_screen.vert.glsl", "outline.frag.glsl") {
-  for (const ShaderProgram* program : {&mesh_, &plain_}) connectToScene(*program);
+  for (const ShaderProgram* program : {&mesh_, &traced_, &plain_}) connectToScene(*program);
   outline_.use();
   outline_.set("mask", maskUnit);
 }
@@ -107,9 +108,12 @@ void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, co
   glEnable(GL_SCISSOR_TEST);
   glScissor(rect.x, rect.y, rect.width, rect.height);
   if (const auto mesh = selectedMesh(input.selection)) {
-    mesh_.use();
-    mesh_.set("surface", static_cast<int>(*mesh));
-    glDrawArrays(GL_TRIANGLES, 0, 3 * places[static_cast<int>(*mesh)].triangles);
+    const int i = static_cast<int>(*mesh), triangles = places[i].triangles;
+    const bool traced = triangles > 0 && fasterTraced(triangles, mask_);
+    ShaderProgram& program = traced ? traced_ : mesh_;
+    program.use();
+    program.set(traced ? "wanted" : "surface", traced ? 1 << i : i);
+    glDrawArrays(GL_TRIANGLES, 0, traced ? 3 : 3 * triangles);
   } else {
     plain_.use();
     plain_.set("light", input.selection.part == Part::light ? input.selection.index : -1);

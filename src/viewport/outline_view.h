@@ -21,7 +21,7 @@ class OutlineView {
             const Point& origin, const SurfacePlaces& places, double pixelScale);
 
  private:
-  ShaderProgram mesh_, plain_, outline_;
+  ShaderProgram mesh_, traced_, plain_, outline_;
   Framebuffer mask_;
 };
 

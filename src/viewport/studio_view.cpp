@@ -53,8 +53,11 @@ void SampleMean::copySample() const {
 }
 
 StudioView::StudioView()
-    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"), screen_(TexelFormat::rgba32f, 1, 1) {
+    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
+      traced_("full_screen.vert.glsl", "traced_id.frag.glsl"),
+      screen_(TexelFormat::rgba32f, 1, 1) {
   connectToScene(triangles_);
+  connectToScene(traced_);
   const std::array<float, 4> black{};
   screen_.write(0, 0, 1, 1, black.data());
 }
@@ -83,11 +86,11 @@ void StudioView::setScreen(const std::shared_ptr<const Image>& screen) {
 void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, const Visible& visible,
                       int number) {
   mean_.beginSample(number);
-  drawTriangles(seen_, places, visible, false);
+  findTriangles(seen_, places, visible, false);
   if (visible.ghost) {
     if (seenGhost_.empty())
       seenGhost_ = Framebuffer(seen_.width(), seen_.height(), {TexelFormat::r32ui}, true);
-    drawTriangles(seenGhost_, places, visible, true);
+    findTriangles(seenGhost_, places, visible, true);
   }
   mean_.sample().bind();
   seen_.color().bind(seenUnit);
@@ -123,9 +126,28 @@ void StudioView::drawPixels(const PixelProgram& kind) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void StudioView::drawTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
+void StudioView::findTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
                                bool ghost) {
+  int surfaces = 0;
+  std::int64_t triangles = 0;
+  for (const GpuSurface surface : {GpuSurface::sculpture, GpuSurface::original, GpuSurface::rtCamera}) {
+    const bool isGhost = surface == GpuSurface::original && visible.ghost;
+    const int i = static_cast<int>(surface);
+    if (!visible.surface(surface) || isGhost != ghost || places[i].triangles == 0) continue;
+    surfaces |= 1 << i;
+    triangles += places[i].triangles;
+  }
   target.bind();
+  if (fasterTraced(triangles, target)) {
+    traced_.use();
+    traced_.set("wanted", surfaces);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  } else {
+    drawTriangles(places, surfaces);
+  }
+}
+
+void StudioView::drawTriangles(const SurfacePlaces& places, int surfaces) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   const std::array<GLuint, 4> nothing{};
@@ -133,11 +155,10 @@ void StudioView::drawTriangles(const Framebuffer& target, const SurfacePlaces& p
   glClearBufferuiv(GL_COLOR, 0, nothing.data());
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   triangles_.use();
-  for (const GpuSurface surface : {GpuSurface::sculpture, GpuSurface::original, GpuSurface::rtCamera}) {
-    const bool isGhost = surface == GpuSurface::original && visible.ghost;
-    if (!visible.surface(surface) || isGhost != ghost) continue;
-    triangles_.set("surface", static_cast<int>(surface));
-    glDrawArrays(GL_TRIANGLES, 0, 3 * places[static_cast<int>(surface)].triangles);
+  for (int i = 0; i < gpuSurfaceCount; ++i) {
+    if ((surfaces & 1 << i) == 0) continue;
+    triangles_.set("surface", i);
+    glDrawArrays(GL_TRIANGLES, 0, 3 * places[i].triangles);
   }
   glDisable(GL_DEPTH_TEST);
 }

@@ -1,6 +1,6 @@
-// The lit scene. First the meshes are drawn, which tells the triangle that each pixel sees; then passes over
-// all pixels meet mirror, ground and sky, and shade (shaders/studio.frag.glsl). So nothing is shaded that is
-// not seen, and direct view and reflection go through the same shading.
+// The lit scene. First the meshes are drawn (or traced), which tells the triangle that each pixel sees; then
+// passes over all pixels meet mirror, ground and sky, and shade (shaders/studio.frag.glsl). So nothing is
+// shaded that is not seen, and direct view and reflection go through the same shading.
 #pragma once
 
 #include <compare>
@@ -62,11 +62,12 @@ class StudioView {
     auto operator<=>(const PixelProgram&) const = default;
   };
 
-  void drawTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
+  void findTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
                      bool ghost);
+  void drawTriangles(const SurfacePlaces& places, int surfaces);
   void drawPixels(const PixelProgram& kind);
 
-  ShaderProgram triangles_;
+  ShaderProgram triangles_, traced_;
   std::map<PixelProgram, ShaderProgram> studio_;  // made when needed
   Framebuffer seen_, seenGhost_;
   SampleMean mean_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gl/load_gl.h"
+
 namespace anamorph {
 namespace {
 
@@ -47,6 +49,10 @@ void connectToScene(const ShaderProgram& program) {
   program.set("positions", SurfaceUnits::positions);
   program.set("triangles", SurfaceUnits::triangles);
   program.set("normals", SurfaceUnits::normals);
+}
+
+bool fasterTraced(std::int64_t triangles, const Framebuffer& target) {
+  return triangles > std::int64_t{target.width()} * target.height() && isSoftwareRenderer();
 }
 
 SurfaceStore::SurfaceStore()

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <glm/vec4.hpp>
 
+#include "gl/framebuffer.h"
 #include "gl/shader.h"
 #include "gl/texture.h"
 #include "viewport/scene_block.h"
@@ -31,6 +33,11 @@ struct SurfaceUnits {
 
 /// Tells a program where to read the scene block and the meshes' textures.
 void connectToScene(const ShaderProgram& program);
+
+/// Whether the triangles that pixels see are found sooner by a ray for every pixel than by drawing all
+/// triangles. Graphics processors draw small triangles faster than they trace; the main processor takes about
+/// as long for one as for a ray.
+bool fasterTraced(std::int64_t triangles, const Framebuffer& target);
 
 class SurfaceStore {
  public:
