@@ -10,7 +10,7 @@
 namespace anamorph {
 namespace {
 
-constexpr int coarseSize = 48;         // longer side of pictures and match while something moves
+constexpr int coarseSize = 40;         // longer side of pictures and match while something moves
 constexpr double restSeconds = 0.25;   // a drag that pauses this long gets its settled state
 constexpr int maxSampledCells = 1024;  // a pixel grid with more cells gets one ray each
 
@@ -33,11 +33,10 @@ class Stopwatch {
 bool anyTriangleMapped(const Sculpture& sculpture) {
   const auto& status = sculpture.status;
   const auto mapped = [&](std::uint32_t corner) { return status[corner] == PathStatus::mapped; };
-  return std::any_of(sculpture.mesh.triangles.begin(), sculpture.mesh.triangles.end(),
-                     [&](const Triangle& t) {
-                       return mapped(t[0]) && mapped(t[1]) && mapped(t[2]) &&
-                              areaVector(sculpture.original, t) != Vector(0);
-                     });
+  return std::any_of(
+      sculpture.mesh.triangles.begin(), sculpture.mesh.triangles.end(), [&](const Triangle& t) {
+        return mapped(t[0]) && mapped(t[1]) && mapped(t[2]) && areaVector(sculpture.original, t) != Vector(0);
+      });
 }
 
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
@@ -48,7 +47,7 @@ std::shared_ptr<const Image> shared(std::optional<Image> image) {
 
 Studio::Studio(std::function<void()> wake, int threads)
     : threads_(threads > 0 ? threads : hardwareThreads()),
-      frameThreads_(std::min(threads_, 4)),
+      frameThreads_(std::clamp(threads_ / 2, 1, 4)),
       wake_(wake),
       worker_(std::move(wake)) {}
 
@@ -63,18 +62,24 @@ bool Studio::update(const Session& session, const StudioOptions& options) {
     changed = true;
   }
   changed |= takeResults(session);
-  if (!(products_.level == session.level())) {
+  const bool moved = !(products_.level == session.level());
+  if (moved) {
     lastChange_ = Clock::now();
     cancelled_ = false;
     if (session.changing() && !large()) {
       worker_.cancel();
       requested_.reset();
     }
-    followLevel(session.level());
+    followLevel(session.level(), options);
     changed = true;
   }
   request(session, options);
-  changed |= updateRays(options);
+  double rayTime = 0;
+  {
+    const Stopwatch watch(rayTime);
+    changed |= updateRays(options);
+  }
+  if (moved) liveTimes_.rays = rayTime;
   return changed;
 }
 
@@ -134,7 +139,7 @@ void Studio::adopt(const Settled& settled, bool current) {
   liveSculpture_.reset();
 }
 
-void Studio::followLevel(const Level& level) {
+void Studio::followLevel(const Level& level, const StudioOptions& options) {
   const Level before = std::exchange(products_.level, level);
   products_.refined = products_.complete = false;
   liveTimes_ = {};
@@ -154,7 +159,7 @@ void Studio::followLevel(const Level& level) {
     const Stopwatch watch(liveTimes_.sculpture);
     followSculpture(level);
   }
-  takeCoarsePictures(level);
+  takeCoarsePictures(level, options.original);
 }
 
 void Studio::followSculpture(const Level& level) {
@@ -165,7 +170,7 @@ void Studio::followSculpture(const Level& level) {
     return;
   }
   if (!liveSculpture_) liveSculpture_.emplace(baseOriginal_, baseSculpture_);
-  products_.sculpture = liveSculpture_->follow(level, *products_.original.mesh, frameThreads_);
+  products_.sculpture = liveSculpture_->follow(level, products_.original.mesh, frameThreads_);
   const Sculpture& sculpture = *products_.sculpture.sculpture;
   if (!anyTriangleMapped(sculpture)) {
     Sculpture empty;
@@ -177,16 +182,18 @@ void Studio::followSculpture(const Level& level) {
   products_.warnings = findWarnings(level, sculpture);
 }
 
-void Studio::takeCoarsePictures(const Level& level) {
+void Studio::takeCoarsePictures(const Level& level, bool original) {
   const auto [width, height] = pictureSize(level.camera, coarseSize);
   ImageRequest request = makeImageRequest(level, width, height, frameThreads_);
   request.samplesPerAxis = 1;
   {
     const Stopwatch watch(liveTimes_.preview);
-    products_.previews.reflection =
-        shared(render(buildScene(makeReflectionScene(level, products_.sculpture)), level.camera, request));
-    products_.previews.original =
-        shared(render(buildScene(makeOriginalScene(level, products_.original)), level.camera, request));
+    products_.previews.reflection = shared(render(*sceneOf(level), level.camera, request));
+    products_.previews.original = nullptr;
+    if (original) {
+      const RenderScene alone = buildScene(makeOriginalScene(level, products_.original));
+      products_.previews.original = shared(render(alone, level.camera, request));
+    }
   }
   const Stopwatch watch(liveTimes_.match);
   products_.match = nullptr;
@@ -194,9 +201,17 @@ void Studio::takeCoarsePictures(const Level& level) {
   if (products_.problem) return;
   const auto match = std::make_shared<const Match>(computeMatch(
       makeMatchInput(level, products_.original, products_.sculpture, width, height), frameThreads_));
-  products_.previews.difference =
-      std::make_shared<const Image>(markDifferences(*products_.previews.original, *match));
+  if (original) {
+    products_.previews.difference =
+        std::make_shared<const Image>(markDifferences(*products_.previews.original, *match));
+  }
   products_.match = match;
+}
+
+std::shared_ptr<const RenderScene> Studio::sceneOf(const Level& level) {
+  return scene_.get(makeReflectionScene(level, products_.sculpture), [](const SceneInput& input) {
+    return std::make_shared<const RenderScene>(buildScene(input));
+  });
 }
 
 void Studio::request(const Session& session, const StudioOptions& options) {
@@ -226,6 +241,7 @@ void Studio::request(const Session& session, const StudioOptions& options) {
 }
 
 bool Studio::updateRays(const StudioOptions& options) {
+  const Level& level = products_.level;
   if (!products_.sculpture.sculpture) {
     const bool had = products_.scene != nullptr;
     products_.scene = nullptr;
@@ -234,21 +250,7 @@ bool Studio::updateRays(const StudioOptions& options) {
     return had;
   }
   const auto before = std::pair{products_.screen, products_.trees};
-  double milliseconds = 0;
-  {
-    const Stopwatch watch(milliseconds);
-    traceGrid(options);
-  }
-  if (before == std::pair{products_.screen, products_.trees}) return false;
-  liveTimes_.rays = milliseconds;
-  return true;
-}
-
-void Studio::traceGrid(const StudioOptions& options) {
-  const Level& level = products_.level;
-  products_.scene = scene_.get(makeReflectionScene(level, products_.sculpture), [](const SceneInput& input) {
-    return std::make_shared<const RenderScene>(buildScene(input));
-  });
+  products_.scene = sceneOf(level);
   const Camera& camera = level.camera;
   ImageRequest request = makeImageRequest(level, camera.gridColumns, camera.gridRows, frameThreads_);
   if (request.width * request.height > maxSampledCells) request.samplesPerAxis = 1;
@@ -267,6 +269,7 @@ void Studio::traceGrid(const StudioOptions& options) {
       return std::shared_ptr<const std::vector<RayTree>>(trees);
     });
   }
+  return before != std::pair{products_.screen, products_.trees};
 }
 
 bool Studio::busy() const {

@@ -44,6 +44,8 @@ struct Products {
 struct StudioOptions {
   int previewSize = 256;  ///< longer side in pixels; 0: the pixel grid's own resolution
   bool trees = false;     ///< whether the ray trees of the pixel grid are wanted
+  bool original =
+      true;  ///< whether the original's and the difference picture are wanted while something moves
 };
 
 /// Milliseconds of the last update that worked on a level that moves.
@@ -84,12 +86,12 @@ class Studio {
   void openLevel(const Session& session);
   bool takeResults(const Session& session);
   void adopt(const Settled& settled, bool current);
-  void followLevel(const Level& level);
+  void followLevel(const Level& level, const StudioOptions& options);
   void followSculpture(const Level& level);
-  void takeCoarsePictures(const Level& level);
+  std::shared_ptr<const RenderScene> sceneOf(const Level& level);
+  void takeCoarsePictures(const Level& level, bool original);
   void request(const Session& session, const StudioOptions& options);
   bool updateRays(const StudioOptions& options);
-  void traceGrid(const StudioOptions& options);
   bool large() const;
 
   int threads_, frameThreads_;

@@ -80,7 +80,8 @@ bool advance(Workspace& work, double seconds) {
     changed = true;
   }
   const bool trees = work.rays.show && (work.rays.source == RaySource::pixels || work.cell);
-  return work.studio.update(work.session, {work.preview.size, trees}) || changed;
+  const bool original = work.preview.tab != PreviewTab::reflection;
+  return work.studio.update(work.session, {work.preview.size, trees, original}) || changed;
 }
 
 bool isMoving(const Workspace& work) {

@@ -32,6 +32,26 @@ Sculpture undeformed(const Mesh& original) {
   return sculpture;
 }
 
+bool scalesEvenly(const Placement& placement) {
+  const Vector& s = placement.scale;
+  return s.x > 0 && s.x == s.y && s.y == s.z;
+}
+
+void turnNormals(const std::vector<glm::vec3>& from, const Vector& rotationDegrees,
+                 std::vector<glm::vec3>& to) {
+  const glm::mat3 rotation(rotationMatrix(rotationDegrees));
+  to.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) to[i] = rotation * from[i];
+}
+
+// Of the original's own vertices.
+StatusCounts ownStatus(const Level& level, const Mesh& original, int threads) {
+  MappedPoints mapped;
+  mapPointsThrough(level.optic, level.camera.eye, original.positions, level.sculpture.depthScale, mapped,
+                   threads);
+  return countStatus(mapped.status);
+}
+
 }  // namespace
 
 // PathStatus is a byte, and 0 is mapped: what is not 0 is absent.
@@ -45,6 +65,7 @@ LiveOriginal::LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh place
     : shape_(std::move(shape)), start_(std::move(placed)) {
   CHECK(shape_->positions.size() == start_.mesh->positions.size());
   prototype_ = {*start_.mesh, *start_.bvh, *start_.normals};
+  shapeNormals_ = computeNormals(shape_->positions, shape_->triangles, *start_.normalGroups);
 }
 
 PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int threads) {
@@ -56,7 +77,11 @@ PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int 
   parallelFor(from.size(), 8192, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) to.set(i, map(from[i]));
   });
-  moving->normals = computeNormals(to, moving->mesh.triangles, *start_.normalGroups, threads);
+  if (scalesEvenly(placement)) {
+    turnNormals(shapeNormals_, placement.rotationDegrees, moving->normals);
+  } else {
+    moving->normals = computeNormals(to, moving->mesh.triangles, *start_.normalGroups, threads);
+  }
   moving->bvh.refit(to, threads);
   return {{moving, &moving->mesh}, {moving, &moving->bvh}, start_.normalGroups, {moving, &moving->normals}};
 }
@@ -65,10 +90,10 @@ LiveSculpture::LiveSculpture(const PreparedMesh& original, const PreparedSculptu
     : ownTriangles_(!settled.sculpture || !isWhole(*settled.sculpture)) {
   if (ownTriangles_) {
     normalGroups_ = original.normalGroups;
-    prototype_ = {undeformed(*original.mesh), *original.bvh, *original.normals};
+    prototype_ = {undeformed(*original.mesh), *original.bvh, *original.normals, nullptr};
   } else {
     normalGroups_ = settled.prepared.normalGroups;
-    prototype_ = {*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals};
+    prototype_ = {*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals, nullptr};
     source_ = settled.sculpture->source;
     for (const VertexSource& source : source_) {
       sourceCorners_.push_back(original.mesh->triangles[source.triangle]);
@@ -90,18 +115,23 @@ void LiveSculpture::placeSources(const PointArray& original, PointArray& points)
   }
 }
 
-PreparedSculpture LiveSculpture::follow(const Level& level, const Mesh& original, int threads) {
+PreparedSculpture LiveSculpture::follow(const Level& level, const std::shared_ptr<const Mesh>& original,
+                                        int threads) {
   const std::shared_ptr<Moving> moving = ring_.take(prototype_);
   Sculpture& sculpture = moving->sculpture;
-  placeSources(original.positions, sculpture.original);
+  if (moving->original != original) {
+    placeSources(original->positions, sculpture.original);
+    moving->original = original;
+  }
   const Point& eye = level.camera.eye;
   const double depthScale = level.sculpture.depthScale;
   remapSculpture(level.optic, eye, depthScale, sculpture.original, sculpture, threads);
   sculpture.originalStatus = countStatus(sculpture.status);
   if (!ownTriangles_) {
-    MappedPoints own;
-    mapPointsThrough(level.optic, eye, original.positions, depthScale, own, threads);
-    sculpture.originalStatus = countStatus(own.status);
+    const std::size_t own = original->positions.size();
+    const auto absent = absentPoints(sculpture.status);
+    // The original's vertices are among those of the refined sculpture: all mapped when all of these are.
+    sculpture.originalStatus = absent.empty() ? StatusCounts{own} : ownStatus(level, *original, threads);
   }
   const Mesh& mesh = sculpture.mesh;
   moving->normals = computeNormals(mesh.positions, mesh.triangles, *normalGroups_, threads);

@@ -38,6 +38,7 @@ class LiveOriginal {
   std::shared_ptr<const Mesh> shape_;
   std::shared_ptr<const Mesh> unitized_;  // made when it is asked for
   PreparedMesh start_;
+  std::vector<glm::vec3> shapeNormals_;
   MovingMesh prototype_;
   BufferRing<MovingMesh> ring_;
 };
@@ -51,13 +52,14 @@ class LiveSculpture {
   /// The sculpture of a changed level without findProblem; `original` is placed, with the triangles of the
   /// constructor's. Triangles with an unmapped corner are still in the mesh, but not in the tree: their
   /// corners' status tells. The winding is that of the triangles kept.
-  PreparedSculpture follow(const Level& level, const Mesh& original, int threads);
+  PreparedSculpture follow(const Level& level, const std::shared_ptr<const Mesh>& original, int threads);
 
  private:
   struct Moving {
     Sculpture sculpture;
     Bvh bvh;
     std::vector<glm::vec3> normals;
+    std::shared_ptr<const Mesh> original;  // that sculpture.original was taken from
   };
   void placeSources(const PointArray& original, PointArray& points) const;
 
