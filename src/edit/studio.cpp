@@ -10,7 +10,6 @@
 namespace anamorph {
 namespace {
 
-constexpr int coarseSize = 40;         // longer side of pictures and match while something moves
 constexpr double restSeconds = 0.25;   // a drag that pauses this long gets its settled state
 constexpr int maxSampledCells = 1024;  // a pixel grid with more cells gets one ray each
 

@@ -77,6 +77,8 @@ class Studio {
 
   const LiveTimes& liveTimes() const { return liveTimes_; }
 
+  /// The longer side of pictures and match while something moves, in pixels.
+  static constexpr int coarseSize = 40;
   /// More vertices than this do not follow in the frame but on the worker.
   static constexpr std::size_t liveVertexLimit = 200'000;
 
