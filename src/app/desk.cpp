@@ -16,12 +16,15 @@
 #include "panels/actions.h"
 #include "panels/panels.h"
 #include "panels/style.h"
+#include "panels/view_panel.h"
+#include "panels/widgets.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
 
 constexpr double textPixels = 15;  // at 100 %
+constexpr double patience = 0.2;   // seconds without the mouse before a fine picture is begun in software
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -33,6 +36,25 @@ double timed(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return millisecondsSince(start);
+}
+
+// The panels were laid out with the pictures as they were before this frame. Those that have been replaced
+// since are deleted, so what is drawn takes the new ones.
+void showNewPictures(const ImDrawData& data, const UiTextures& before, const UiTextures& now) {
+  const auto idOf = [](const UiTexture& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id));
+  };
+  std::map<ImTextureID, ImTextureID> replaced;
+  for (const auto member : {&UiTextures::view, &UiTextures::reflection, &UiTextures::original,
+                            &UiTextures::difference, &UiTextures::render}) {
+    if ((before.*member).id != 0) replaced[idOf(before.*member)] = idOf(now.*member);
+  }
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    for (ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
+      const auto found = replaced.find(command.TextureId);
+      if (found != replaced.end()) command.TextureId = found->second;
+    }
+  }
 }
 
 }  // namespace
@@ -60,6 +82,8 @@ Desk::~Desk() {
 }
 
 void Desk::open(const std::filesystem::path& path) {
+  endViewDrag(*work_, ui_, false);  // it would put the old level into the new one's place
+  letGoOfWidgets();
   try {
     openLevel(*work_, path);
   } catch (const Error& error) {
@@ -113,7 +137,14 @@ void Desk::drawView(double seconds, const ViewQuality* forced) {
   times_.input = timed([&] { input = inputMaker_.make(*work_, ui_, transparent_); });
   const bool moving = !(input == lastInput_);
   secondsStill_ = moving ? 0 : secondsStill_ + seconds;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool handsOn =
+      io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsAnyMouseDown() || io.MouseWheel != 0;
+  secondsHandsOff_ = handsOn ? 0 : secondsHandsOff_ + seconds;
+  // A finer picture in software takes a while, in which the panels would not answer the mouse.
+  if (software_ && !forced && !moving && secondsHandsOff_ < patience && ui_.textures.view.id != 0) return;
   const ViewQuality quality = forced ? *forced : governor_.next(moving, secondsStill_);
+  fine_ = forced || governor_.isFinal(quality);
   const auto start = std::chrono::steady_clock::now();
   timer_.begin();
   const bool drawn = viewport_->draw(input, quality.scale, quality.samplesNow, quality.samples);
@@ -133,6 +164,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
   refreshStyle();
   const auto start = std::chrono::steady_clock::now();
+  const UiTextures shown = ui_.textures;
   ImGui_ImplOpenGL3_NewFrame();
   times_.panels = timed([&] {
     ImGui::NewFrame();
@@ -151,6 +183,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   drawViewOverlay(*work_, ui_);
   times_.draw = timed([&] {
     ImGui::Render();
+    showNewPictures(*ImGui::GetDrawData(), shown, ui_.textures);
     glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
                static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
     glClearColor(0, 0, 0, transparent_ ? 0.0f : 1.0f);
@@ -161,7 +194,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
 }
 
 bool Desk::unfinished() const {
-  return isMoving(*work_) || !viewport_->complete() || work_->studio.busy() || ui_.render.running;
+  return isMoving(*work_) || !viewComplete() || work_->studio.busy() || ui_.render.running;
 }
 
 void Desk::key(int key, int modifiers) {

@@ -55,7 +55,8 @@ class Desk {
   Workspace& work() { return *work_; }
   UiState& ui() { return ui_; }
   const FrameTimes& times() const { return times_; }
-  bool viewComplete() const { return viewport_->complete(); }
+  /// Whether the 3D view is as fine as it gets.
+  bool viewComplete() const { return fine_ && viewport_->complete(); }
   void setTransparent(bool transparent) { transparent_ = transparent; }
   /// UI scale when the preferences leave it to the screen.
   void setScreenScale(double scale) { screenScale_ = scale; }
@@ -81,8 +82,9 @@ class Desk {
   Theme styleTheme_ = Theme::dark;
   bool transparent_ = false;
   bool software_;
+  bool fine_ = false;  // the view was last drawn in its final quality
   QualityGovernor governor_;
-  double secondsStill_ = 0;
+  double secondsStill_ = 0, secondsHandsOff_ = 1;
   GpuTimer timer_;
   FrameTimes times_;
 };

@@ -26,6 +26,10 @@ ViewQuality QualityGovernor::next(bool moving, double secondsStill) {
   return {std::clamp(std::floor(8 * wanted) / 8, smallestScale, 1.0), 1, 1};
 }
 
+bool QualityGovernor::isFinal(const ViewQuality& quality) const {
+  return quality.scale == 1 && quality.samples >= (software_ ? softwareSamples : hardwareSamples);
+}
+
 void QualityGovernor::took(const ViewQuality& quality, double milliseconds) {
   const double cost = milliseconds / (quality.scale * quality.scale * std::max(1, quality.samplesNow));
   millisecondsPerSample_ = millisecondsPerSample_ > 0 ? 0.7 * millisecondsPerSample_ + 0.3 * cost : cost;

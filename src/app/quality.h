@@ -22,6 +22,9 @@ class QualityGovernor {
   /// How long the last frame's samples took, at the scale and number they were drawn with.
   void took(const ViewQuality& quality, double milliseconds);
 
+  /// Whether there is nothing finer than this.
+  bool isFinal(const ViewQuality& quality) const;
+
   /// For pictures that are saved: everything.
   static ViewQuality best() { return {1, 4, 16}; }
 
