@@ -213,7 +213,7 @@ void drawViewOverlay(Workspace& work, UiState& ui) {
   drawAxes(ink, rect);
   ink.list().PopClipRect();
   ImGui::End();
-  drawViewButtons(work, ui);
+  if (!(ui.headless && ui.panelsHidden)) drawViewButtons(work, ui);
   drawProblem(work, ui);
   if (ui.preferences.legend && work.rays.show) drawLegend(work, ui);
 }

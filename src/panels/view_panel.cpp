@@ -34,6 +34,7 @@ DragKeys keysOf(const UiState& ui) {
 
 void startGizmoDrag(Workspace& work, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
                     const Pixel& mouse) {
+  work.session.finishChange();  // of a number that was typed into until now
   ui.viewDrag = ViewDrag::gizmo;
   ui.axisLock = -1;
   ui.gizmoDrag.emplace(GizmoDragStart{work.session.level(), work.selection, shown.frame, shown.mode, handle,
@@ -147,6 +148,7 @@ ShownGizmo currentGizmo(const Workspace& work, const UiState& ui) {
   const Selection& selection = work.selection;
   const Level& level = work.session.level();
   if (work.lookingThrough && selection.part == Part::eye) return shown;
+  if (work.point && selection.part == Part::sculpture) return shown;  // it would cover the construction
   shown.mode = work.gizmoMode;
   for (const GizmoMode mode : {GizmoMode::move, GizmoMode::scale}) {
     if (!allows(level, selection, shown.mode)) shown.mode = mode;
