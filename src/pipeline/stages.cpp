@@ -41,9 +41,8 @@ PreparedMesh prepare(std::shared_ptr<const Mesh> mesh, const PointArray* shape, 
 
 bool hasArea(const Sculpture& sculpture) {
   const auto& triangles = sculpture.mesh.triangles;
-  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
-    return areaVector(sculpture.original, t) != Vector(0);
-  });
+  return std::any_of(triangles.begin(), triangles.end(),
+                     [&](const Triangle& t) { return areaVector(sculpture.original, t) != Vector(0); });
 }
 
 const char* explain(PathStatus status) {

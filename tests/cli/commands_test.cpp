@@ -91,8 +91,9 @@ TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
   }
   for (const char* command : {"open", "screenshot"}) EXPECT_THAT(run("--help").out, HasSubstr(command));
   // None of these comes as far as a window.
-  for (const char* arguments : {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5", "1 --theme pink",
-                                "open --ui-scale 9", "1 --ui-scale nan", "1-plane 2-cylinder", "open 1 2"}) {
+  for (const char* arguments :
+       {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5", "1 --theme pink", "open --ui-scale 9",
+        "1 --ui-scale nan", "1-plane 2-cylinder", "open 1 2"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;

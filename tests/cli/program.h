@@ -46,13 +46,17 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// `arguments` as in a shell.
-inline Result run(const std::string& arguments) {
+/// `arguments` as in a shell; `before` comes before the program, for example env NAME=VALUE.
+inline Result runWith(const std::string& before, const std::string& arguments) {
   const TemporaryFolder folder;
-  const std::string command = std::string(ANAMORPH_PROGRAM) + " " + arguments + " >" + (folder / "out") +
-                              " 2>" + (folder / "err") + " </dev/null";
+  const std::string command = before + " " + std::string(ANAMORPH_PROGRAM) + " " + arguments + " >" +
+                              (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(folder / "out"), readAll(folder / "err")};
+}
+
+inline Result run(const std::string& arguments) {
+  return runWith("", arguments);
 }
 
 inline void writeText(const std::string& path, const std::string& text) {
