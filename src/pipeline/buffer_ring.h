@@ -2,6 +2,7 @@
 // taking memory every time. A buffer that nobody holds any more is written again.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,10 @@ class BufferRing {
   /// A buffer that nobody else holds: one of those handed out before, else a copy of `prototype`.
   std::shared_ptr<T> take(const T& prototype) {
     for (const std::shared_ptr<T>& buffer : buffers_) {
-      if (buffer.use_count() == 1) return buffer;
+      if (buffer.use_count() != 1) continue;
+      // What another thread read before it let go comes before what is written now.
+      std::atomic_thread_fence(std::memory_order_acquire);
+      return buffer;
     }
     buffers_.push_back(std::make_shared<T>(prototype));
     return buffers_.back();
