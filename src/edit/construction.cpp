@@ -1,10 +1,13 @@
 #include "edit/construction.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
@@ -123,36 +126,15 @@ Construction makeConstruction(const Optic& optic, const Point& eye, const Point&
     made.segments.push_back({eye, original, Kind::incident});
   }
   addRows(made, meetsMirror, depthScale);
-  made.explanation = explainStatus(ray.status);
+  if (ray.status != PathStatus::mapped) {
+    made.explanation = explainStatus(ray.status) + std::string(".");
+    made.explanation[0] = static_cast<char>(std::toupper(made.explanation[0]));
+  }
   return made;
 }
 
 Construction makeConstruction(const Level& level, const Point& original) {
   return makeConstruction(level.optic, level.camera.eye, original, level.sculpture.depthScale);
-}
-
-std::string explainStatus(PathStatus status) {
-  switch (status) {
-    case PathStatus::mapped:
-      break;
-    case PathStatus::missesMirror:
-      return "The ray from the eye through this vertex never meets the mirror, so the eye cannot see it "
-             "there. Make "
-             "the mirror larger, or move the original to where the eye sees the mirror in front of it.";
-    case PathStatus::inFrontOfMirror:
-      return "The ray reaches this vertex before it reaches the mirror, so there is nothing to reflect. Move "
-             "the "
-             "original behind the mirror, away from the eye.";
-    case PathStatus::grazing:
-      return "The ray only grazes the mirror, at less than one degree, where the reflection is not to be "
-             "trusted. Move "
-             "the original towards the middle of the mirror.";
-    case PathStatus::hitsMirrorAgain:
-      return "The reflected ray meets the mirror a second time before it reaches the sculpture. Use the "
-             "outside of the "
-             "mirror, or a smaller depth scale.";
-  }
-  return {};
 }
 
 }  // namespace anamorph

@@ -56,7 +56,4 @@ Construction makeConstruction(const Optic& optic, const Point& eye, const Point&
 /// With the level's mirror, eye and depth scale.
 Construction makeConstruction(const Level& level, const Point& original);
 
-/// What became of a vertex ray, and what to do, in one sentence or two; empty for `mapped`.
-std::string explainStatus(PathStatus status);
-
 }  // namespace anamorph

@@ -37,17 +37,6 @@ bool areAxes(const Axes& axes) {
 // ---- The mirror: its middle, axes and points
 // -----------------------------------------------------------------------
 
-Point middleOf(const PlaneMirror& plane) {
-  const auto& v = plane.corners;
-  return 0.25 * (v[0] + v[1] + v[2] + v[3]);
-}
-Point middleOf(const CylinderMirror& cylinder) {
-  return 0.5 * (cylinder.bottom + cylinder.top);
-}
-Point middleOf(const SphereMirror& sphere) {
-  return sphere.centre;
-}
-
 // x along the first edge, y through the mirror, z up its side: the scene's axes for an upright mirror.
 Axes axesOf(const PlaneMirror& plane) {
   const Direction y = -planeNormal(plane);
@@ -161,7 +150,7 @@ Point originOf(const Level& level, const Selection& selection, const Box& origin
     case Part::original:
       return pivotOf(level.original.placement, originalBox);
     case Part::mirror:
-      return std::visit([](const auto& shape) { return middleOf(shape); }, level.optic.shape);
+      return middleOf(level.optic.shape);
     case Part::sculpture:
       return sculptureBox.centre();
     case Part::light:

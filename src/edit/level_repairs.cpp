@@ -8,17 +8,6 @@
 namespace anamorph {
 namespace {
 
-Point middleOf(const PlaneMirror& plane) {
-  const auto& v = plane.corners;
-  return 0.25 * (v[0] + v[1] + v[2] + v[3]);
-}
-Point middleOf(const CylinderMirror& cylinder) {
-  return 0.5 * (cylinder.bottom + cylinder.top);
-}
-Point middleOf(const SphereMirror& sphere) {
-  return sphere.centre;
-}
-
 // Of the ways away from the mirror's axis or centre: the eye's own `outwards` unless it leads to the
 // original's side.
 Direction wayOut(const Vector& outwards, const Vector& fromOriginal, const Direction& otherwise) {
@@ -138,7 +127,7 @@ Level originalMovedBehind(const Level& level, const Box& originalBox) {
   const Point eye = level.camera.eye;
   if (findShapeProblem(mirror) || findEyeProblem(mirror, eye) || originalBox.empty()) return level;
   const Point middle = originalBox.centre();
-  const Point mirrorMiddle = std::visit([](const auto& shape) { return middleOf(shape); }, mirror);
+  const Point mirrorMiddle = middleOf(mirror);
   const double distance = glm::length(middle - eye), mirrorDistance = glm::length(mirrorMiddle - eye);
   if (!(mirrorDistance > 0) || !isFinite(middle)) return level;
   Direction sight = distance > 0 ? (middle - eye) / distance : (mirrorMiddle - eye) / mirrorDistance;

@@ -55,6 +55,21 @@ Direction planeNormal(const PlaneMirror& plane) {
   return glm::normalize(glm::cross(v[2] - v[0], v[3] - v[1]));
 }
 
+Point middleOf(const PlaneMirror& plane) {
+  const auto& v = plane.corners;
+  return 0.25 * (v[0] + v[1] + v[2] + v[3]);
+}
+Point middleOf(const CylinderMirror& cylinder) {
+  return 0.5 * (cylinder.bottom + cylinder.top);
+}
+Point middleOf(const SphereMirror& sphere) {
+  return sphere.centre;
+}
+
+Point middleOf(const MirrorShape& shape) {
+  return std::visit([](const auto& surface) { return middleOf(surface); }, shape);
+}
+
 const char* shapeName(const MirrorShape& shape) {
   constexpr const char* names[] = {"plane", "cylinder", "sphere"};
   static_assert(std::size(names) == std::variant_size_v<MirrorShape>);

@@ -66,6 +66,12 @@ const char* shapeName(const MirrorShape& shape);
 /// The plane's unit normal; undefined for a quad without area.
 Direction planeNormal(const PlaneMirror& plane);
 
+/// The middle of the four corners; of the cylinder's axis; the sphere's centre.
+Point middleOf(const PlaneMirror& plane);
+Point middleOf(const CylinderMirror& cylinder);
+Point middleOf(const SphereMirror& sphere);
+Point middleOf(const MirrorShape& shape);
+
 /// The surface as triangles, for drawing and boxes; vertices lie on the surface. Curved shapes get `segments`
 /// around.
 Mesh tessellate(const MirrorShape& shape, int segments = 96);

@@ -9,18 +9,9 @@ namespace {
 constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
 constexpr NumberRange lengths{0, 1e6, 0.01, "%.2f"};
 
-Point centreOf(const MirrorShape& shape) {
-  if (const auto* plane = std::get_if<PlaneMirror>(&shape)) {
-    return 0.25 * (plane->corners[0] + plane->corners[1] + plane->corners[2] + plane->corners[3]);
-  }
-  if (const auto* cylinder = std::get_if<CylinderMirror>(&shape))
-    return 0.5 * (cylinder->bottom + cylinder->top);
-  return std::get<SphereMirror>(shape).centre;
-}
-
 // Another kind of mirror about the same centre, of a size that goes with the lengths of the levels.
 MirrorShape replacement(int kind, const MirrorShape& old) {
-  const Point c = centreOf(old);
+  const Point c = middleOf(old);
   if (kind == 0)
     return PlaneMirror{
         {c + Vector(-5, 0, -4), c + Vector(5, 0, -4), c + Vector(5, 0, 4), c + Vector(-5, 0, 4)}};

@@ -45,7 +45,9 @@ bool hasArea(const Sculpture& sculpture) {
                      [&](const Triangle& t) { return areaVector(sculpture.original, t) != Vector(0); });
 }
 
-const char* explain(PathStatus status) {
+}  // namespace
+
+const char* explainStatus(PathStatus status) {
   switch (status) {
     case PathStatus::mapped:
       break;
@@ -65,8 +67,6 @@ const char* explain(PathStatus status) {
   }
   return "nothing is wrong";
 }
-
-}  // namespace
 
 std::optional<std::string> findProblem(const Level& level, const Mesh& original) {
   if (auto problem = findShapeProblem(level.optic.shape)) {
@@ -92,7 +92,7 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
   if (*worst == 0)
     return "no triangle of the original has an area, so there is nothing to see in the mirror.";
   return fmt::format("no triangle of the original can be mapped. For {} of its {} vertices, {}.", *worst,
-                     total, explain(static_cast<PathStatus>(worst - counts.begin())));
+                     total, explainStatus(static_cast<PathStatus>(worst - counts.begin())));
 }
 
 std::string statusSentence(const StatusCounts& counts) {

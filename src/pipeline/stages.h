@@ -34,6 +34,10 @@ struct PreparedSculpture {
   bool operator==(const PreparedSculpture&) const = default;
 };
 
+/// What became of a ray with this status, and what to do about it: sentences without the first capital letter
+/// and the last full stop.
+const char* explainStatus(PathStatus status);
+
 /// Why the level cannot be computed at all (a broken mirror, the eye inside it, the eye in the original), in
 /// a sentence for the student; nothing when it can.
 std::optional<std::string> findProblem(const Level& level, const Mesh& original);
