@@ -2,6 +2,7 @@
 // later; result() never waits for it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 namespace anamorph {
@@ -23,6 +24,7 @@ class GpuTimer {
   double waitForResult();
 
  private:
+  using Clock = std::chrono::steady_clock;
   enum class State { idle, measuring, waiting };
 
   void read();
@@ -30,6 +32,7 @@ class GpuTimer {
   std::uint32_t query_ = 0;
   State state_ = State::idle;
   double milliseconds_ = 0;
+  Clock::time_point begun_{};
 };
 
 }  // namespace anamorph
