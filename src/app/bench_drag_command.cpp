@@ -67,15 +67,21 @@ void record(Recording& recording, const Desk& desk, const LiveTimes& live, doubl
   recording.add("GPU, view", gpu);
 }
 
-// Where the arrow of the x axis can be taken.
+// Where the arrow of the x axis can be taken, else that of another axis.
 Pixel gripOf(Desk& desk) {
   const ShownGizmo shown = currentGizmo(desk.work(), desk.ui());
-  for (const GizmoShape& shape : shown.gizmo.shapes) {
-    if (shape.handle != GizmoHandle::x || shape.points.empty()) continue;
-    Pixel sum(0);
-    for (const Pixel& p : shape.points) sum += p;
-    const Pixel middle = sum / double(shape.points.size());
-    if (pickHandle(shown.gizmo, middle) == GizmoHandle::x) return middle;
+  const Rect& view = desk.ui().layout.view;
+  constexpr float edge = 6;
+  const Rect inner{edge, edge, view.width - 2 * edge, view.height - 2 * edge};
+  for (const GizmoHandle handle : {GizmoHandle::x, GizmoHandle::y, GizmoHandle::z}) {
+    for (const GizmoShape& shape : shown.gizmo.shapes) {
+      if (shape.handle != handle || shape.points.empty()) continue;
+      Pixel sum(0);
+      for (const Pixel& p : shape.points) sum += p;
+      const Pixel middle = sum / double(shape.points.size());
+      const bool seen = inner.contains(static_cast<float>(middle.x), static_cast<float>(middle.y));
+      if (seen && pickHandle(shown.gizmo, middle) == handle) return middle;
+    }
   }
   throw Error("bench-drag: the view shows no handle to drag; change the level's view");
 }

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/preferences.h"
 #include "app/window.h"
+#include "level/level_json.h"
 #include "level/level_library.h"
 
 namespace anamorph {
@@ -16,7 +17,7 @@ MoreCommands windowCommands() {
 
 void addOpenCommand(CLI::App& app, CommonOptions&) {
   struct Options {
-    std::string level = "1-plane", theme;
+    std::string level = "1-plane", theme, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
     bool fullscreen = false;
@@ -33,14 +34,18 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->check(numberFrom(0.75, 3));
   addSizeOption(*command, options->size);
   command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
+  command->add_option("--log-state", options->stateLog, "A file that gets a JSON line for every frame")
+      ->group("");  // for tests and demonstrations: not in the help
   command->callback([options] {
     WindowOptions window;
     window.level = findLevel(options->level);
+    loadLevel(window.level);  // an Error comes before a window does
     window.theme = findTheme(options->theme);
     if (options->uiScale > 0) window.uiScale = options->uiScale;
     window.fullscreen = options->fullscreen;
     window.width = options->size.first;
     window.height = options->size.second;
+    window.stateLog = options->stateLog;
     runWindow(window);
   });
 }

@@ -51,7 +51,12 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   try {
     const JsonValue json = parseJson(readFile(path, std::size_t{1} << 20).view(), path.string());
     if (const JsonValue* theme = find(json, "theme"); theme && theme->kind == JsonValue::Kind::string) {
-      p.theme = findTheme(theme->text).value_or(p.theme);
+      const auto found = findTheme(theme->text);
+      if (!found) {
+        message = fmt::format("{}: /theme: expected dark, light or projector, got {}", path.string(),
+                              describeJson(*theme));
+      }
+      p.theme = found.value_or(p.theme);
     }
     read(json, "uiScale", p.uiScale, 0, 3);
     if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, 0.75);

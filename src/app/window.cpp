@@ -17,6 +17,7 @@
 
 #include "app/desk.h"
 #include "app/preferences.h"
+#include "app/state_log.h"
 #include "base/error.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
@@ -90,6 +91,14 @@ WindowHandle makeWindow(const WindowOptions& options) {
   return window;
 }
 
+// Keyboards differ: GLFW names keys by their place on an American one. A letter is the key that has it on its
+// cap, so that Ctrl+Z is Ctrl+Z on a German keyboard, too. All other keys are known by their place.
+int keyByItsCap(int key, int code) {
+  const char* name = glfwGetKeyName(key, code);
+  if (!name || name[0] < 'a' || name[0] > 'z' || name[1] != 0) return key;
+  return name[0] - 'a' + 'A';
+}
+
 // Where F12 puts its pictures: beside the user's other pictures, never over an older one.
 std::filesystem::path freshScreenshotPath() {
   namespace fs = std::filesystem;
@@ -106,7 +115,7 @@ std::filesystem::path freshScreenshotPath() {
 class MainWindow {
  public:
   MainWindow(const WindowOptions& options, Preferences preferences)
-      : handle_(makeWindow(options)), saved_(preferences) {
+      : stateLog_(options.stateLog), handle_(makeWindow(options)), saved_(preferences) {
     glfwMakeContextCurrent(handle_.get());
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
@@ -166,6 +175,7 @@ class MainWindow {
     ImGui_ImplGlfw_NewFrame();
     desk_->frame(seconds);
     glfwSwapBuffers(handle_.get());
+    stateLog_.add(*desk_);
     serveRequests();
     showTitle();
   }
@@ -251,7 +261,8 @@ class MainWindow {
       MainWindow& self = of(w);
       self.wakeUp();
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
-        self.desk_->key(key, modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER));
+        self.desk_->key(keyByItsCap(key, code),
+                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER));
       }
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
@@ -279,6 +290,7 @@ class MainWindow {
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).wakeUp(); });
   }
 
+  StateLog stateLog_;
   WindowHandle handle_;
   Preferences saved_;
   std::unique_ptr<Desk> desk_;

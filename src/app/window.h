@@ -15,6 +15,7 @@ struct WindowOptions {
   std::optional<double> uiScale;
   bool fullscreen = false;
   int width = 1280, height = 800;
+  std::filesystem::path stateLog;  ///< state_log.h; empty: none
 };
 
 /// Opens the window and returns when it is closed. Throws Error when there is no display or no OpenGL 3.3.

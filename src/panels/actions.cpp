@@ -6,6 +6,7 @@
 
 #include "edit/orbit.h"
 #include "panels/view_panel.h"
+#include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
@@ -24,10 +25,14 @@ void setMode(Workspace& work, GizmoMode mode) {
   work.gizmoMode = mode;
 }
 
-// From the innermost out: a drag, a lock on one pixel or vertex, the selection, an open window.
+// From the innermost out: a drag, an open menu, a lock on one pixel or vertex, the selection, an open window.
 void cancel(Workspace& work, UiState& ui) {
   if (ui.viewDrag != ViewDrag::none) return endViewDrag(work, ui, false);
-  if (work.session.changing()) return work.session.cancelChange();
+  if (work.session.changing()) {
+    letGoOfWidgets();
+    return work.session.cancelChange();
+  }
+  if (closePopups()) return;
   if (ui.render.open || ui.helpOpen) {
     ui.render.open = ui.helpOpen = false;
   } else if (work.preview.expanded) {
@@ -134,6 +139,7 @@ void perform(Action action, Workspace& work, UiState& ui) {
   switch (action) {
     case Action::undo:
       endViewDrag(work, ui, true);
+      letGoOfWidgets();
       return work.session.undo();
     case Action::redo:
       return work.session.redo();
@@ -141,6 +147,7 @@ void perform(Action action, Workspace& work, UiState& ui) {
       return cancel(work, ui);
     case Action::resetLevel:
       endViewDrag(work, ui, true);
+      letGoOfWidgets();
       return work.session.reset();
     case Action::moveMode:
       return setMode(work, GizmoMode::move);

@@ -107,6 +107,7 @@ void rightEnd(Workspace& work, UiState& ui) {
 void drawMenuBar(Workspace& work, UiState& ui) {
   const Rect& rect = ui.layout.menu;
   if (rect.empty()) return;
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   ImGui::SetNextWindowPos({rect.x, rect.y});
   ImGui::SetNextWindowSize({rect.width, rect.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -117,7 +118,9 @@ void drawMenuBar(Workspace& work, UiState& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBringToFrontOnFocus);
   if (ImGui::BeginMenuBar()) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);  // of the menus that open, not of the bar
     menus(work, ui);
+    ImGui::PopStyleVar();
     rightEnd(work, ui);
     ImGui::EndMenuBar();
   }

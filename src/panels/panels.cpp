@@ -71,8 +71,14 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawSplitters(ui);
   drawRenderWindow(work, ui);
   drawHelpWindow(work, ui);
-  // A number that is dragged, typed or clicked is one step of the history.
-  if (work.session.changing() && !ui.gizmoDrag && !ImGui::IsAnyItemActive()) work.session.finishChange();
+  // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
+  // all of it: the field itself would only write the digits that it had shown.
+  if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    work.session.cancelChange();
+  } else {
+    work.session.finishChange();
+  }
 }
 
 }  // namespace anamorph

@@ -189,6 +189,7 @@ void endViewDrag(Workspace& work, UiState& ui, bool keep) {
 
 void drawViewPanel(Workspace& work, UiState& ui) {
   const Rect& rect = ui.layout.view;
+  if (!rect.empty()) ImGui::SetNextWindowBgAlpha(0);  // the picture is all of it, and may be transparent
   if (!beginPanel("view", rect, false, false)) return;
   work.viewWidth = std::max(1, static_cast<int>(rect.width));
   work.viewHeight = std::max(1, static_cast<int>(rect.height));

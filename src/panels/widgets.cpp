@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "panels/style.h"
 
@@ -30,6 +31,13 @@ void endRow(const char* help) {
   ImGui::PopID();
 }
 
+// What is typed may be a calculation ("*1e999"), and ranges let nan pass.
+bool takeFinite(bool changed, double& value, double before) {
+  if (!changed || std::isfinite(value)) return changed;
+  value = before;
+  return false;
+}
+
 double fromLinear(double x) {
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
@@ -50,21 +58,23 @@ bool section(const UiState& ui, const char* title, bool open) {
 
 bool numberRow(const char* name, double& value, const NumberRange& range, const char* help) {
   beginRow(name, help);
+  const double before = value;
   const bool changed =
       ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(range.speed), &range.min,
                         &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
   endRow(help);
-  return changed;
+  return takeFinite(changed, value, before);
 }
 
 bool sliderRow(const char* name, double& value, const NumberRange& range, const char* help,
                bool logarithmic) {
   beginRow(name, help);
   const int flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const double before = value;
   const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
                                            range.format, flags);
   endRow(help);
-  return changed;
+  return takeFinite(changed, value, before);
 }
 
 bool integerRow(const char* name, int& value, int min, int max, const char* help) {
@@ -84,9 +94,11 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
     ImGui::PushID(axis);
     if (axis > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
-    changed |=
+    const double before = value[axis];
+    const bool dragged =
         ImGui::DragScalar("##value", ImGuiDataType_Double, &value[axis], static_cast<float>(range.speed),
                           &range.min, &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
+    changed |= takeFinite(dragged, value[axis], before);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float thickness = std::max(2.0f, 0.09f * (high.y - low.y));
     ImGui::GetWindowDrawList()->AddRectFilled({low.x + 3, high.y - thickness}, {high.x - 3, high.y},
@@ -110,7 +122,9 @@ bool colorRow(const char* name, Color& value, const char* help) {
   for (int i = 0; i < 3; ++i) display[i] = static_cast<float>(fromLinear(value[i]));
   const bool changed = ImGui::ColorEdit3("##value", display, ImGuiColorEditFlags_Float);
   if (changed) {
-    for (int i = 0; i < 3; ++i) value[i] = std::clamp(toLinear(display[i]), 0.0, 1.0);
+    for (int i = 0; i < 3; ++i) {
+      if (std::isfinite(display[i])) value[i] = std::clamp(toLinear(display[i]), 0.0, 1.0);
+    }
   }
   endRow(help);
   return changed;
@@ -146,6 +160,16 @@ void tooltip(const char* text) {
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+void letGoOfWidgets() {
+  if (ImGui::GetCurrentContext()) ImGui::ClearActiveID();
+}
+
+bool closePopups() {
+  if (!ImGui::GetCurrentContext() || ImGui::GetCurrentContext()->OpenPopupStack.empty()) return false;
+  ImGui::ClosePopupToLevel(0, true);
+  return true;
 }
 
 void quietText(const UiState& ui, const char* text) {

@@ -37,6 +37,13 @@ void textRow(const char* name, const std::string& value, const char* help = "");
 /// Appears when the mouse has rested on the last item for half a second.
 void tooltip(const char* text);
 
+/// What is dragged or typed into is let go of, though the mouse button may still be down: the level that it
+/// works on has been replaced.
+void letGoOfWidgets();
+
+/// Closes an open menu, list or colour picker. Returns whether there was one.
+bool closePopups();
+
 /// Wrapped text of second rank.
 void quietText(const UiState& ui, const char* text);
 

@@ -1,0 +1,96 @@
+#include "app/state_log.h"
+
+#include <array>
+#include <initializer_list>
+#include <limits>
+
+#include <imgui.h>
+
+#include "base/error.h"
+#include "cli/report.h"
+
+namespace anamorph {
+namespace {
+
+JsonValue listOf(std::initializer_list<double> numbers) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const double number : numbers) {
+    list.items.push_back(JsonObject().add("", number).value().items.front());
+  }
+  return list;
+}
+
+JsonValue rectJson(const Rect& r) {
+  return listOf({r.x, r.y, r.width, r.height});
+}
+
+const char* nameOf(Part part) {
+  constexpr std::array names{"none", "eye", "aim", "original", "mirror", "sculpture", "light"};
+  return names.at(static_cast<std::size_t>(part));
+}
+
+JsonValue poseJson(const ViewPose& pose) {
+  return JsonObject()
+      .add("eye", pose.eye)
+      .add("target", pose.target)
+      .add("up", pose.up)
+      .add("fovDegrees", pose.fovDegrees)
+      .add("orthographic", pose.orthographic)
+      .value();
+}
+
+}  // namespace
+
+std::string stateLine(Desk& desk, std::size_t frame) {
+  const Workspace& work = desk.work();
+  const UiState& ui = desk.ui();
+  const Level& level = work.session.level();
+  const Products& products = work.studio.products();
+  const double iou =
+      products.match ? products.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return compactJson(
+      JsonObject()
+          .add("frame", frame)
+          .add("level", work.session.path().string())
+          .add("eye", level.camera.eye)
+          .add("target", level.camera.target)
+          .add("original", level.original.placement.position)
+          .add("depthScale", level.sculpture.depthScale)
+          .add("modified", work.session.modified())
+          .add("changing", work.session.changing())
+          .add("canUndo", work.session.canUndo())
+          .add("canRedo", work.session.canRedo())
+          .add("selection", std::string(nameOf(work.selection.part)))
+          .add("cell", work.cell ? listOf({double(work.cell->column), double(work.cell->row)}) : JsonValue())
+          .add("pointPicked", work.point.has_value())
+          .add("problem", products.problem.value_or(""))
+          .add("refined", products.refined)
+          .add("complete", products.complete)
+          .add("iou", iou)
+          .add("unfinished", desk.unfinished())
+          .add("lookingThrough", work.lookingThrough)
+          .add("pose", poseJson(work.pose))
+          .add("window", listOf({size.x, size.y}))
+          .add("view", rectJson(ui.layout.view))
+          .add("properties", rectJson(ui.layout.properties))
+          .add("preview", rectJson(ui.layout.preview))
+          .add("scale", ui.scale)
+          .add("panelsHidden", ui.panelsHidden)
+          .add("helpOpen", ui.helpOpen)
+          .add("message", work.message)
+          .value());
+}
+
+StateLog::StateLog(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  file_.open(path, std::ios::binary | std::ios::trunc);
+  if (!file_) throw Error("cannot be written", path.string());
+}
+
+void StateLog::add(Desk& desk) {
+  if (!file_.is_open()) return;
+  file_ << stateLine(desk, ++frames_) << '\n' << std::flush;
+}
+
+}  // namespace anamorph

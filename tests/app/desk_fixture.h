@@ -1,0 +1,61 @@
+// A desk without a window for the tests of src/app. Machines without OpenGL 3.3 skip them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/headless_desk.h"
+#include "base/error.h"
+#include "gl/gl_error.h"
+
+namespace anamorph::testing {
+
+/// Made once for the program. Null, and `problem` says why, when there is none.
+inline HeadlessContext* sharedHeadlessContext(std::string& problem) {
+  static std::string why;
+  static const std::unique_ptr<HeadlessContext> context = [] {
+    try {
+      return std::make_unique<HeadlessContext>();
+    } catch (const Error& error) {
+      why = error.what();
+      return std::unique_ptr<HeadlessContext>();
+    }
+  }();
+  problem = why;
+  return context.get();
+}
+
+inline std::string levelPath(const std::string& name) {
+  return std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
+}
+
+class DeskTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string problem;
+    if (!sharedHeadlessContext(problem)) GTEST_SKIP() << problem;
+    takeGlErrors();
+    Preferences preferences;
+    preferences.uiScale = 1;
+    headless = std::make_unique<HeadlessDesk>(640, 480, preferences, 2);
+  }
+  void TearDown() override {
+    if (!headless) return;
+    headless.reset();
+    EXPECT_EQ(takeGlErrors(), "");
+  }
+
+  Desk& desk() { return headless->desk(); }
+  Workspace& work() { return headless->desk().work(); }
+  UiState& ui() { return headless->desk().ui(); }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) headless->frame(1.0 / 60, &draft);
+  }
+
+  static constexpr ViewQuality draft{0.1, 1, 1};
+  std::unique_ptr<HeadlessDesk> headless;
+};
+
+}  // namespace anamorph::testing

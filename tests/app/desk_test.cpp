@@ -1,0 +1,141 @@
+#include "app/desk.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/state_log.h"
+#include "cli/program.h"
+#include "desk_fixture.h"
+#include "level/json.h"
+#include "level/level_json.h"
+#include "panels/actions.h"
+#include "panels/view_panel.h"
+
+namespace anamorph::testing {
+namespace {
+
+class OpenDesk : public DeskTest {
+ protected:
+  void SetUp() override {
+    DeskTest::SetUp();
+    if (!headless) return;
+    headless->resize(900, 560);
+    desk().open(levelPath("1-plane"));
+    frames(3);
+  }
+
+  std::optional<Pixel> gripOf(GizmoHandle handle) {
+    const Gizmo gizmo = currentGizmo(work(), ui()).gizmo;
+    for (const GizmoShape& shape : gizmo.shapes) {
+      if (shape.handle != handle || shape.points.empty()) continue;
+      Pixel middle(0);
+      for (const Pixel& p : shape.points) middle += p / double(shape.points.size());
+      if (pickHandle(gizmo, middle) == handle) return middle + Pixel(ui().layout.view.x, ui().layout.view.y);
+    }
+    return std::nullopt;
+  }
+  void moveTo(const Pixel& p) { headless->moveMouse(static_cast<float>(p.x), static_cast<float>(p.y)); }
+
+  // The original is being dragged by its gizmo, the button is down.
+  void beginDrag() {
+    headless->resize(1280, 800);
+    frames(3);
+    while (!work().studio.products().complete) frames(1);
+    work().selection = {Part::original};
+    frames(3);
+    const auto grip = gripOf(GizmoHandle::x);
+    ASSERT_TRUE(grip);
+    grip_ = *grip;
+    moveTo(grip_);
+    frames(2);
+    headless->pressMouse(0, true);
+    frames(1);
+    moveTo(grip_ + Pixel(20, 0));
+    frames(2);
+    ASSERT_EQ(ui().viewDrag, ViewDrag::gizmo);
+    ASSERT_TRUE(work().session.changing());
+  }
+
+  Pixel grip_{0};
+};
+
+TEST_F(OpenDesk, AnotherLevelEndsTheDrag) {
+  beginDrag();
+  desk().key(keys::pageDown, 0);
+  frames(1);
+  moveTo(grip_ + Pixel(40, 0));
+  frames(3);
+  const Level& level = work().session.level();
+  EXPECT_EQ(work().session.path().filename(), "2-cylinder.json");
+  EXPECT_EQ(level, loadLevel(levelPath("2-cylinder")).level) << "the drag is over";
+  headless->pressMouse(0, false);
+  frames(2);
+  EXPECT_FALSE(work().session.canUndo());
+}
+
+TEST_F(OpenDesk, ReloadingEndsTheDrag) {
+  beginDrag();
+  desk().key(keys::f5, 0);
+  frames(1);
+  moveTo(grip_ + Pixel(40, 0));
+  frames(3);
+  EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
+  EXPECT_FALSE(work().session.modified());
+}
+
+TEST_F(OpenDesk, ALevelThatCannotBeOpenedLeavesTheOldOne) {
+  const TemporaryFolder folder;
+  writeText(folder / "broken.json", "{");
+  desk().open(folder / "broken.json");
+  frames(2);
+  EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
+  EXPECT_NE(work().message.find("broken.json"), std::string::npos);
+  desk().open(folder / "gone.json");
+  EXPECT_NE(work().message.find("gone.json"), std::string::npos);
+}
+
+TEST_F(DeskTest, WithoutAnyLevelTheErrorIsTheCallers) {
+  EXPECT_THROW(desk().open("/nowhere/at/all.json"), Error);
+}
+
+TEST_F(OpenDesk, RestsWhenAllIsDone) {
+  headless->settle();
+  EXPECT_FALSE(desk().unfinished());
+  for (int i = 0; i < 5; ++i) {
+    const ViewQuality best = QualityGovernor::best();
+    headless->frame(1.0 / 60, &best);
+    EXPECT_FALSE(desk().unfinished());
+  }
+  EXPECT_TRUE(work().studio.products().complete);
+}
+
+TEST_F(OpenDesk, TheMouseInTheViewChangesNoPictureByBeingThere) {
+  headless->settle();
+  headless->moveMouse(400, 300);
+  const ViewQuality best = QualityGovernor::best();
+  for (int i = 0; i < 4; ++i) headless->frame(1.0 / 60, &best);
+  EXPECT_FALSE(desk().unfinished()) << "hovering is no reason to draw the 3D view again";
+}
+
+TEST_F(OpenDesk, StateLineIsJson) {
+  while (!work().studio.products().complete) frames(1);
+  work().cell = GridCell{3, 5};
+  frames(1);
+  const JsonValue state = parseJson(stateLine(desk(), 7), "state");
+  const auto member = [&](const std::string& key) -> const JsonValue& {
+    const auto at = std::find(state.keys.begin(), state.keys.end(), key);
+    if (at == state.keys.end()) throw Error("no member " + key);
+    return state.items[static_cast<std::size_t>(at - state.keys.begin())];
+  };
+  EXPECT_EQ(member("frame").number, 7);
+  EXPECT_EQ(member("window").items[0].number, 900);
+  EXPECT_EQ(member("cell").items[1].number, 5);
+  EXPECT_EQ(member("selection").text, "none");
+  EXPECT_GT(member("iou").number, 0.99);
+  EXPECT_EQ(member("complete").text, "true");
+}
+
+}  // namespace
+}  // namespace anamorph::testing

@@ -1,0 +1,251 @@
+// The commands that draw without a window, through the program itself.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "cli/program.h"
+#include "gl/offscreen_context.h"
+#include "level/json.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::vector<std::string> levelNames{"1-plane", "2-cylinder", "3-sphere"};
+
+std::ptrdiff_t linesIn(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+class Screenshot : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      const OffscreenContext context;
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+
+  // A picture of 320 x 240, or as `arguments` say.
+  std::string take(const std::string& arguments, const std::string& name = "out.png") {
+    const std::string path = folder / name;
+    const bool sized = arguments.find("--size") != std::string::npos;
+    const Result result = run("screenshot -o " + path + (sized ? " " : " --size 320x240 ") + arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(linesIn(result.err), 1) << result.err;
+    return path;
+  }
+  Bitmap picture(const std::string& arguments) { return loadPng(take(arguments)); }
+
+  // Fails with `code` and one line that has `word`; nothing is left.
+  void expectFault(const std::string& arguments, int code, const std::string& word) {
+    SCOPED_TRACE(arguments);
+    const Result result = run("screenshot -o " + (folder / "none.png") + " " + arguments);
+    EXPECT_EQ(result.exitCode, code);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(linesIn(result.err), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(word));
+    EXPECT_EQ(folder.fileCount(), 0u);
+  }
+
+  TemporaryFolder folder;
+};
+
+double shareOfAlpha(const Bitmap& bitmap, int alpha) {
+  std::size_t count = 0;
+  for (std::size_t i = 3; i < bitmap.bytes.size(); i += 4) count += bitmap.bytes[i] == alpha;
+  return 4.0 * static_cast<double>(count) / static_cast<double>(bitmap.bytes.size());
+}
+
+TEST_F(Screenshot, SameArgumentsGiveTheSameBytes) {
+  for (const std::string& arguments :
+       {std::string("1-plane"), std::string("3-sphere --no-panels --select-vertex 100"),
+        std::string("2-cylinder --threads 1 --transparent --no-panels")}) {
+    SCOPED_TRACE(arguments);
+    const std::string once = readAll(take(arguments, "a.png")), again = readAll(take(arguments, "b.png"));
+    EXPECT_GT(once.size(), 1000u);
+    EXPECT_TRUE(once == again);
+  }
+}
+
+TEST_F(Screenshot, HasTheSizeAskedFor) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 300}, {320, 200}, {800, 600}}) {
+    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+    SCOPED_TRACE(size);
+    const Bitmap bitmap = loadPng(take("1-plane --size " + size));
+    EXPECT_EQ(bitmap.width, width);
+    EXPECT_EQ(bitmap.height, height);
+    EXPECT_EQ(bitmap.channels, 3);
+  }
+}
+
+TEST_F(Screenshot, TransparentHasNoBackground) {
+  const Bitmap bitmap = picture("3-sphere --no-panels --transparent");
+  ASSERT_EQ(bitmap.channels, 4);
+  EXPECT_GT(shareOfAlpha(bitmap, 0), 0.1) << "nothing is there";
+  EXPECT_GT(shareOfAlpha(bitmap, 255), 0.05) << "the mirror is not transparent";
+}
+
+TEST_F(Screenshot, WithoutPanelsOnlyTheViewIsLeft) {
+  const Bitmap with = picture("2-cylinder --size 640x600"),
+               without = picture("2-cylinder --size 640x600 --no-panels");
+  EXPECT_GT(compare(with, without, 8).shareOver, 0.3);
+  // The menu bar is one colour over most of its width, the sky is not: so the rows differ.
+  EXPECT_NE(std::vector(with.bytes.begin(), with.bytes.begin() + 3000),
+            std::vector(without.bytes.begin(), without.bytes.begin() + 3000));
+}
+
+TEST_F(Screenshot, EveryOptionShowsSomethingElse) {
+  const Bitmap plain = picture("3-sphere --no-panels");
+  for (const char* option :
+       {"--theme light", "--theme projector", "--look-through", "--select original", "--select mirror",
+        "--select eye", "--pixel 3,3", "--select-vertex 5", "--morph 0.5", "--ui-scale 2"}) {
+    SCOPED_TRACE(option);
+    EXPECT_GT(compare(plain, picture(std::string("3-sphere --no-panels ") + option), 8).shareOver, 0.0005);
+  }
+  const Bitmap panels = picture("3-sphere --size 640x600");
+  for (const char* option : {"--preview original", "--preview difference", "--preview wipe"}) {
+    SCOPED_TRACE(option);
+    EXPECT_GT(compare(panels, picture(std::string("3-sphere --size 640x600 ") + option), 8).shareOver,
+              0.0005);
+  }
+}
+
+TEST_F(Screenshot, FaultsLeaveNoFile) {
+  expectFault("1-plane --pixel 8,0", 2, "8 x 8");
+  expectFault("1-plane --pixel 0,8", 2, "--pixel");
+  expectFault("1-plane --pixel -1,0", 2, "--pixel");
+  expectFault("1-plane --pixel 3", 2, "--pixel");
+  expectFault("1-plane --pixel 3,3,3", 2, "--pixel");
+  expectFault("1-plane --select-vertex 1000000", 2, "--select-vertex");
+  expectFault("1-plane --select-vertex -1", 2, "--select-vertex");
+  expectFault("1-plane --theme pink", 2, "theme");
+  expectFault("1-plane --morph 2", 2, "morph");
+  expectFault("1-plane --ui-scale 0.1", 2, "ui-scale");
+  expectFault("no-such-level", 1, "no-such-level");
+  expectFault(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", 1, "cube.obj");
+}
+
+TEST_F(Screenshot, OutputHasToBeAPngThatCanBeWritten) {
+  const Result jpg = run("screenshot 1-plane -o " + (folder / "a.jpg"));
+  EXPECT_EQ(jpg.exitCode, 2);
+  EXPECT_THAT(jpg.err, HasSubstr(".png"));
+  const Result nowhere = run("screenshot 1-plane -o " + (folder / "no/such/folder/a.png"));
+  EXPECT_EQ(nowhere.exitCode, 1);
+  EXPECT_EQ(linesIn(nowhere.err), 1);
+  EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST_F(Screenshot, ALevelWithAProblemIsDrawnAndTold) {
+  const Result result =
+      run("screenshot " + std::string(ANAMORPH_TEST_DATA) +
+          "/scenes/thesis-cylinder.json --no-panels --size 320x240 -o " + (folder / "out.png"));
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err, HasSubstr("inside the cylinder"));
+  EXPECT_EQ(loadPng(folder / "out.png").width, 320);
+}
+
+// Fonts and drivers differ a little from machine to machine; what is shown does not.
+TEST_F(Screenshot, LevelsLookAsTheyDid) {
+  for (const std::string& name : levelNames) {
+    SCOPED_TRACE(name);
+    const std::string expectedPath = std::string(ANAMORPH_TEST_DATA) + "/images/window-" + name + ".png";
+    const std::string path = take(name + " --no-panels --size 640x400", name + ".png");
+    const Bitmap now = loadPng(path), expected = loadPng(expectedPath);
+    ASSERT_EQ(now.width, expected.width);
+    ASSERT_EQ(now.height, expected.height);
+    ASSERT_EQ(now.channels, expected.channels);
+    const BitmapDifference difference = compare(now, expected, 32);
+    EXPECT_LE(difference.meanAbsolute, 3);
+    EXPECT_LE(difference.shareOver, 0.02);
+    if (!HasFailure()) continue;
+    const fs::path kept = fs::current_path() / ("window-" + name + "-now.png"),
+                   marked = fs::current_path() / ("window-" + name + "-difference.png");
+    Bitmap shown = now;
+    for (std::size_t i = 0; i < shown.bytes.size(); ++i)
+      shown.bytes[i] =
+          static_cast<std::uint8_t>(std::min(255, 4 * std::abs(now.bytes[i] - expected.bytes[i])));
+    savePng(kept, now);
+    savePng(marked, shown);
+    ADD_FAILURE() << "expected " << expectedPath << "\ngot " << kept << "\ndifference (4 times) " << marked;
+  }
+}
+
+TEST(WithoutOpenGL, NothingIsDrawnAndItIsSaid) {
+  const TemporaryFolder folder;
+  for (const std::string& command :
+       {"screenshot 1-plane -o " + (folder / "out.png"), std::string("bench-drag 1-plane --frames 10")}) {
+    SCOPED_TRACE(command);
+    const Result result = runWith(
+        "env -u DISPLAY -u WAYLAND_DISPLAY __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent LIBGL_DRIVERS_PATH=/x",
+        command);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(linesIn(result.err), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("OpenGL 3.3"));
+    EXPECT_EQ(folder.fileCount(), 0u);
+  }
+}
+
+const JsonValue& member(const JsonValue& object, const std::string& key) {
+  const auto at = std::find(object.keys.begin(), object.keys.end(), key);
+  if (at == object.keys.end()) throw Error("no member " + key);
+  return object.items[static_cast<std::size_t>(at - object.keys.begin())];
+}
+
+class BenchDrag : public Screenshot {};
+
+TEST_F(BenchDrag, TimesEveryStage) {
+  const Result result = run("bench-drag 1-plane --frames 12 --size 900x500 --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const JsonValue json = parseJson(result.out, "bench-drag");
+  EXPECT_EQ(member(json, "frames").number, 12);
+  EXPECT_GT(member(json, "vertices").number, 1000);
+  EXPECT_NE(member(json, "renderer").text, "");
+  for (const char* drag : {"dragEye", "dragOriginal"}) {
+    const JsonValue& stages = member(json, drag);
+    for (const char* stage : {"panels and mouse", "original", "sculpture", "preview", "match", "rays",
+                              "lines", "CPU without OpenGL calls", "OpenGL calls, view", "GPU, view"}) {
+      SCOPED_TRACE(std::string(drag) + ", " + stage);
+      const double median = member(member(stages, stage), "median").number,
+                   p95 = member(member(stages, stage), "p95").number,
+                   most = member(member(stages, stage), "max").number;
+      EXPECT_GE(median, 0);
+      EXPECT_LE(median, p95);
+      EXPECT_LE(p95, most);
+    }
+    EXPECT_GT(member(member(stages, "sculpture"), "median").number, 0) << "it follows";
+  }
+}
+
+TEST_F(BenchDrag, PrintsATable) {
+  const Result result = run("bench-drag 3-sphere --frames 10 --size 700x400");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("drag the eye"));
+  EXPECT_THAT(result.out, HasSubstr("drag the original"));
+  EXPECT_THAT(result.out, HasSubstr("p95"));
+}
+
+TEST_F(BenchDrag, WrongUsageIsTwo) {
+  for (const char* arguments :
+       {"bench-drag", "bench-drag 1 --frames 0", "bench-drag 1 --frames 1e9", "bench-drag 1 --size 3"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_EQ(linesIn(result.err), 1) << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace anamorph

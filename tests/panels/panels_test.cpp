@@ -1,0 +1,400 @@
+#include "panels/panels.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "panels_fixture.h"
+
+namespace anamorph::testing {
+namespace {
+
+const std::vector<std::string> levelNames{"1-plane", "2-cylinder", "3-sphere"};
+constexpr PropertyTab allTabs[] = {PropertyTab::eye,       PropertyTab::original, PropertyTab::mirror,
+                                   PropertyTab::sculpture, PropertyTab::lights,   PropertyTab::rays,
+                                   PropertyTab::view};
+
+std::vector<Selection> selectionsOf(const Level& level) {
+  std::vector<Selection> all{{Part::none},   {Part::eye},       {Part::aim},  {Part::original},
+                             {Part::mirror}, {Part::sculpture}, {Part::light}};
+  for (int i = 1; i < static_cast<int>(level.lights.size()); ++i) all.push_back({Part::light, i});
+  return all;
+}
+
+// The eye in the middle of the mirror.
+void moveEyeIntoMirror(Workspace& work) {
+  Level level = work.session.level();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
+  work.session.edit(level);
+}
+
+struct State {
+  const char* name;
+  void (*enter)(Workspace&, UiState&);
+};
+
+constexpr State states[] = {
+    {"as opened", [](Workspace&, UiState&) {}},
+    {"panels hidden", [](Workspace&, UiState& ui) { ui.panelsHidden = true; }},
+    {"help", [](Workspace&, UiState& ui) { ui.helpOpen = true; }},
+    {"render dialog", [](Workspace&, UiState& ui) { ui.render.open = true; }},
+    {"render dialog, running",
+     [](Workspace&, UiState& ui) {
+       ui.render.open = ui.render.running = true;
+       ui.render.share = 0.3;
+     }},
+    {"preview expanded", [](Workspace& work, UiState&) { work.preview.expanded = true; }},
+    {"wipe", [](Workspace& work, UiState&) { work.preview.tab = PreviewTab::wipe; }},
+    {"picked point",
+     [](Workspace& work, UiState&) { work.point = pickedVertex(*work.studio.products().original.mesh, 17); }},
+    {"picked cell",
+     [](Workspace& work, UiState&) {
+       work.cell = GridCell{3, 4};
+       work.rays.source = RaySource::pixels;
+       work.rays.lightRays = true;
+       work.rays.hideNoHit = false;
+     }},
+    {"looking through",
+     [](Workspace& work, UiState&) {
+       toggleLookThrough(work);
+       advance(work, 1);
+     }},
+    {"eye inside the mirror", [](Workspace& work, UiState&) { moveEyeIntoMirror(work); }},
+    {"original shown by a file that is gone",
+     [](Workspace& work, UiState&) {
+       Level level = work.session.level();
+       level.original.shape = FileShape{"nowhere.obj"};
+       work.session.edit(level);
+     }},
+    {"rotating", [](Workspace& work, UiState&) { work.gizmoMode = GizmoMode::rotate; }},
+    {"scaling", [](Workspace& work, UiState&) { work.gizmoMode = GizmoMode::scale; }},
+    {"long message", [](Workspace& work, UiState&) { work.message = std::string(3000, 'w'); }},
+};
+
+class EveryLevel : public PanelsTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(EveryLevel, EveryTabOfEverySelectionInEveryStateIsDrawn) {
+  for (const State& state : states) {
+    SCOPED_TRACE(state.name);
+    ui = UiState{};
+    ui.levels = listLevels(ANAMORPH_LEVELS);
+    work.display = {};
+    work.rays = {};
+    work.preview = {};
+    work.gizmoMode = GizmoMode::move;
+    open(GetParam());
+    state.enter(work, ui);
+    for (const Selection& selection : selectionsOf(work.session.level())) {
+      work.selection = selection;
+      frame();
+      for (const PropertyTab tab : allTabs) {
+        SCOPED_TRACE("part " + std::to_string(int(selection.part)) + ", tab " + std::to_string(int(tab)));
+        ui.tab = tab;
+        ASSERT_NO_THROW(frames(2));
+        EXPECT_EQ(ui.tab, tab);
+        EXPECT_EQ(work.selection, selection);
+      }
+    }
+    EXPECT_FALSE(work.session.changing());
+  }
+}
+
+TEST_P(EveryLevel, DrawingChangesNothing) {
+  open(GetParam());
+  const Level before = work.session.level();
+  for (const PropertyTab tab : allTabs) {
+    ui.tab = tab;
+    frames(4);
+  }
+  EXPECT_EQ(work.session.level(), before);
+  EXPECT_FALSE(work.session.canUndo());
+}
+
+TEST_P(EveryLevel, FitsIntoEveryWindow) {
+  open(GetParam());
+  for (const ImVec2 size :
+       {ImVec2{1, 1}, {2, 700}, {700, 2}, {320, 200}, {640, 480}, {1280, 800}, {3840, 2160}, {800, 3000}}) {
+    for (const Theme theme : {Theme::dark, Theme::light, Theme::projector}) {
+      for (const double scale : {0.75, 1.0, 3.0}) {
+        for (const bool expanded : {false, true}) {
+          SCOPED_TRACE(std::to_string(size.x) + " x " + std::to_string(size.y) + " at " +
+                       std::to_string(scale));
+          ImGui::GetIO().DisplaySize = size;
+          setLook(theme, scale);
+          work.preview.expanded = expanded;
+          for (const PropertyTab tab : allTabs) {
+            ui.tab = tab;
+            ASSERT_NO_THROW(frame());
+          }
+          EXPECT_GE(work.viewWidth, 1);
+          EXPECT_GE(work.viewHeight, 1);
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Panels, EveryLevel, ::testing::ValuesIn(levelNames),
+                         [](const auto& level) { return level.param.substr(2); });
+
+bool eyeMovedInX(const Level& before, const Level& now) {
+  return before.camera.eye.x != now.camera.eye.x;
+}
+
+class NumberRow : public PanelsTest {
+ protected:
+  void SetUp() override {
+    open("3-sphere");
+    work.selection = {Part::eye};
+    frames(3);
+    opened = work.session.level();
+  }
+
+  Level opened;
+};
+
+TEST_F(NumberRow, DraggedByTheMouseIsOneStep) {
+  const auto at = dragRow(eyeMovedInX);
+  ASSERT_TRUE(at) << "no number to drag";
+  for (int i = 0; i < 10; ++i) {
+    moveMouse(at->x + 20 + 3 * static_cast<float>(i), at->y);
+    frame();
+    EXPECT_TRUE(work.session.changing());
+  }
+  EXPECT_GT(work.session.level().camera.eye.x, opened.camera.eye.x);
+  Level rest = work.session.level();
+  rest.camera.eye = opened.camera.eye;
+  EXPECT_EQ(rest, opened) << "nothing but the eye";
+  EXPECT_EQ(work.session.level().camera.eye.y, opened.camera.eye.y);
+  letGo();
+  EXPECT_FALSE(work.session.changing());
+  EXPECT_EQ(steps(), 1);
+  work.session.undo();
+  EXPECT_EQ(work.session.level(), opened);
+}
+
+TEST_F(NumberRow, EscRestoresAndEndsTheDrag) {
+  const auto at = dragRow(eyeMovedInX);
+  ASSERT_TRUE(at);
+  EXPECT_TRUE(handleKey(keys::escape, 0, work, ui));
+  EXPECT_EQ(work.session.level(), opened);
+  frame();
+  EXPECT_EQ(work.session.level(), opened);
+  for (int i = 1; i < 5; ++i) {
+    moveMouse(at->x + 20 + 10 * static_cast<float>(i), at->y);
+    frame();
+    EXPECT_EQ(work.session.level(), opened) << "the button is still down, but the drag is over";
+  }
+  letGo();
+  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_TRUE(dragRow(eyeMovedInX)) << "it can be dragged again";
+}
+
+TEST_F(NumberRow, UndoWhileItIsDraggedEndsTheDrag) {
+  const auto at = dragRow(eyeMovedInX);
+  ASSERT_TRUE(at);
+  EXPECT_TRUE(handleKey('Z', keys::control, work, ui));
+  moveMouse(at->x + 60, at->y);
+  frames(3);
+  EXPECT_EQ(work.session.level(), opened);
+  letGo();
+  EXPECT_FALSE(work.session.canUndo());
+}
+
+TEST_F(NumberRow, CheckBoxIsOneStep) {
+  work.selection = {Part::sculpture};
+  frames(3);
+  const Rect& rect = ui.layout.properties;
+  // From below, so that headings that fold leave what is above them in its place.
+  for (float y = rect.y + rect.height - 4; y > rect.y + 70; y -= 5) {
+    click(rect.x + 20, y);
+    if (work.session.level().sculpture.tolerancePixels != opened.sculpture.tolerancePixels) break;
+    ASSERT_EQ(work.session.level(), opened);
+  }
+  EXPECT_EQ(work.session.level().sculpture.tolerancePixels, 0);
+  EXPECT_EQ(steps(), 1);
+  work.session.undo();
+  EXPECT_EQ(work.session.level(), opened);
+}
+
+class TypedNumber : public NumberRow {
+ protected:
+  static constexpr int enterCode = 257, escapeCode = 256;
+
+  void SetUp() override {
+    NumberRow::SetUp();
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().KeyMap[ImGuiKey_Enter] = enterCode;
+    ImGui::GetIO().KeyMap[ImGuiKey_Escape] = escapeCode;
+#endif
+    const auto at = dragRow(eyeMovedInX);
+    ASSERT_TRUE(at);
+    letGo();
+    work.session.undo();
+    Level level = work.session.level();
+    level.camera.eye.x = startX;
+    work.session.edit(level);
+    opened = level;
+    at_ = *at;
+  }
+
+  // A double click on the eye's x.
+  void beginTyping() {
+    moveMouse(at_.x, at_.y);
+    frames(40);  // longer than a double click ago
+    for (int i = 0; i < 2; ++i) {
+      press(true);
+      frame();
+      press(false);
+      frame();
+    }
+    frames(2);
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) {
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+      frame();
+    }
+  }
+  void key([[maybe_unused]] int code) {
+#if IMGUI_VERSION_NUM < 18700
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().KeysDown[code] = down;
+      frame();
+    }
+#else
+    for (const bool down : {true, false}) {
+      ImGui::GetIO().AddKeyEvent(code == enterCode ? ImGuiKey_Enter : ImGuiKey_Escape, down);
+      frame();
+    }
+#endif
+    frames(2);
+  }
+  void enter(const std::string& text) {
+    beginTyping();
+    type(text);
+    key(enterCode);
+  }
+
+  double x() const {
+    return work.session.level().camera.eye.x;
+  }
+
+  static constexpr double startX = 0.123456;  // more digits than are shown
+  ImVec2 at_;
+};
+
+TEST_F(TypedNumber, IsTakenAsOneStep) {
+  const int before = steps();
+  enter("-3.25");
+  EXPECT_EQ(x(), -3.25);
+  EXPECT_EQ(steps(), before + 1);
+}
+
+TEST_F(TypedNumber, EscLeavesTheNumberWithAllItsDigits) {
+  const int before = steps();
+  beginTyping();
+  type("7");
+  key(escapeCode);
+  EXPECT_EQ(x(), startX);
+  EXPECT_EQ(steps(), before);
+}
+
+TEST_F(TypedNumber, TypedButNotChangedKeepsItsDigits) {
+  const int before = steps();
+  beginTyping();
+  key(enterCode);
+  EXPECT_EQ(x(), startX);
+  EXPECT_EQ(steps(), before);
+}
+
+TEST_F(TypedNumber, StaysFiniteAndInItsRange) {
+  for (const char* text :
+       {"1e999", "-1e999", "*1e999", "/0", "/1e-999", "+1e308", "e", "", "-", "0", "*1e999", "*-1e999",
+        "1e308", "999999999999999999999999999999", "--5", "1e", "..", "nan", "inf"}) {
+    SCOPED_TRACE(text);
+    enter(text);
+    EXPECT_TRUE(std::isfinite(x())) << x();
+    EXPECT_LE(std::abs(x()), 1e6);
+  }
+  while (work.session.canUndo()) work.session.undo();
+  EXPECT_NE(x(), startX);
+}
+
+TEST_F(TypedNumber, IsAStepOfItsOwnBeforeADragOfTheGizmo) {
+  const int before = steps();
+  beginTyping();
+  type("1.5");
+  ASSERT_EQ(x(), 1.5);
+  const Level typed = work.session.level();
+  const auto grip = gripOf(GizmoHandle::x);  // of the eye
+  ASSERT_TRUE(grip);
+  moveMouse(grip->x, grip->y);
+  frames(2);
+  press(true);
+  frame();
+  moveMouse(grip->x + 30, grip->y);
+  frame();
+  ASSERT_EQ(ui.viewDrag, ViewDrag::gizmo);
+  EXPECT_NE(work.session.level(), typed);
+  handleKey(keys::escape, 0, work, ui);
+  EXPECT_EQ(work.session.level(), typed) << "Esc takes back the drag, not the number";
+  letGo();
+  EXPECT_EQ(steps(), before + 1);
+}
+
+class Menus : public PanelsTest {};
+
+TEST_F(Menus, EscClosesThemAndKeepsTheSelection) {
+  open("1-plane");
+  work.selection = {Part::mirror};
+  frames(3);
+  const auto isOpen = [] {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  };
+  for (int time = 0; time < 2; ++time) {
+    click(ui.layout.menu.x + 30, ui.layout.menu.y + ui.layout.menu.height / 2);
+    ASSERT_TRUE(isOpen());
+    EXPECT_TRUE(handleKey(keys::escape, 0, work, ui));
+    frames(2);
+    EXPECT_FALSE(isOpen());
+    EXPECT_EQ(work.selection.part, Part::mirror);
+  }
+  handleKey(keys::escape, 0, work, ui);
+  EXPECT_EQ(work.selection.part, Part::none);
+}
+
+class GizmoInTheView : public PanelsTest {};
+
+TEST_F(GizmoInTheView, DragIsOneStepAndEscTakesItBack) {
+  open("2-cylinder");
+  const Level opened = work.session.level();
+  for (const bool keep : {true, false}) {
+    work.selection = {Part::original};
+    frames(3);
+    const auto grip = gripOf(GizmoHandle::x);
+    ASSERT_TRUE(grip);
+    moveMouse(grip->x, grip->y);
+    frames(2);
+    press(true);
+    frame();
+    for (int i = 1; i < 8; ++i) {
+      moveMouse(grip->x + 5 * static_cast<float>(i), grip->y);
+      frame();
+    }
+    EXPECT_NE(work.session.level().original.placement.position, opened.original.placement.position);
+    if (!keep) handleKey(keys::escape, 0, work, ui);
+    moveMouse(grip->x + 50, grip->y);
+    frame();
+    letGo();
+    EXPECT_EQ(steps(), keep ? 1 : 0);
+    work.session.undo();
+    EXPECT_EQ(work.session.level(), opened);
+  }
+}
+
+}  // namespace
+}  // namespace anamorph::testing
