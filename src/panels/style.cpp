@@ -29,7 +29,7 @@ void setColors(const Palette& p, ImVec4* c) {
   c[ImGuiCol_TextDisabled] = rgb(p.text, 0.55f);
   c[ImGuiCol_WindowBg] = rgb(p.window);
   c[ImGuiCol_ChildBg] = rgb(p.panel, 0);
-  c[ImGuiCol_PopupBg] = rgb(p.panel, 0.98f);
+  c[ImGuiCol_PopupBg] = rgb(p.panel);
   c[ImGuiCol_Border] = rgb(p.border);
   c[ImGuiCol_BorderShadow] = rgb(0, 0);
   c[ImGuiCol_FrameBg] = rgb(p.field);
