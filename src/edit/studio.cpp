@@ -46,7 +46,7 @@ std::shared_ptr<const Image> shared(std::optional<Image> image) {
 
 Studio::Studio(std::function<void()> wake, int threads)
     : threads_(threads > 0 ? threads : hardwareThreads()),
-      frameThreads_(std::clamp(threads_ / 2, 1, 4)),
+      frameThreads_(std::min(threads_, 4)),
       wake_(wake),
       worker_(std::move(wake)) {}
 
