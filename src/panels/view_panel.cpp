@@ -147,6 +147,7 @@ ShownGizmo currentGizmo(const Workspace& work, const UiState& ui) {
   ShownGizmo shown;
   const Selection& selection = work.selection;
   const Level& level = work.session.level();
+  if (selection.part == Part::none) return shown;  // before any box is measured
   if (work.lookingThrough && selection.part == Part::eye) return shown;
   if (work.point && selection.part == Part::sculpture) return shown;  // it would cover the construction
   shown.mode = work.gizmoMode;
