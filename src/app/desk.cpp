@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "app/fonts.h"
+#include "app/languages.h"
 #include "base/error.h"
 #include "base/resources.h"
 #include "gl/load_gl.h"
@@ -72,6 +73,7 @@ Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
   viewport_ = std::make_unique<Viewport>();
   ui_.preferences = preferences;
   ui_.levels = listLevels();
+  ui_.languages = listLanguages();
   loadThumbnails();
 }
 
@@ -104,6 +106,16 @@ void Desk::loadThumbnails() {
     } catch (const Error&) {
       // A level without its picture is still a level.
     }
+  }
+}
+
+void Desk::refreshLanguage() {
+  if (language_ == ui_.preferences.language) return;
+  language_ = ui_.preferences.language;
+  try {
+    chooseLanguage(*language_);
+  } catch (const Error& error) {
+    work_->message = error.what();
   }
 }
 
@@ -162,6 +174,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
+  refreshLanguage();
   refreshStyle();
   const auto start = std::chrono::steady_clock::now();
   const UiTextures shown = ui_.textures;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/languages.h"
 #include "app/preferences.h"
 #include "app/window.h"
 #include "level/level_json.h"
@@ -17,7 +18,7 @@ MoreCommands windowCommands() {
 
 void addOpenCommand(CLI::App& app, CommonOptions&) {
   struct Options {
-    std::string level = "1-plane", theme, stateLog;
+    std::string level = "1-plane", theme, language, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
     bool fullscreen = false;
@@ -32,6 +33,7 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->add_option("--ui-scale", options->uiScale,
                    "Size of text and controls, 0.75 to 3 (default: as the screen says)")
       ->check(numberFrom(0.75, 3));
+  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default: as the system)");
   addSizeOption(*command, options->size);
   command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
   command->add_option("--log-state", options->stateLog, "A file that gets a JSON line for every frame")
@@ -40,6 +42,8 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
     WindowOptions window;
     window.level = findLevel(options->level);
     loadLevel(window.level);  // an Error comes before a window does
+    if (!options->language.empty()) chooseLanguage(options->language);
+    window.language = options->language;
     window.theme = findTheme(options->theme);
     if (options->uiScale > 0) window.uiScale = options->uiScale;
     window.fullscreen = options->fullscreen;

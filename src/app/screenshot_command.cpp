@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/headless_desk.h"
+#include "app/languages.h"
 #include "app/preferences.h"
 #include "base/error.h"
 #include "cli/input.h"
@@ -21,7 +22,7 @@ namespace anamorph {
 namespace {
 
 struct ScreenshotOptions {
-  std::string level, output, theme = "dark", select, pixel, tab;
+  std::string level, output, theme = "dark", language = "en", select, pixel, tab;
   std::pair<int, int> size{1280, 800};
   double uiScale = 1, morph = 1;
   bool noPanels = false, transparent = false, lookThrough = false;
@@ -99,6 +100,8 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   Preferences preferences;
   preferences.theme = findTheme(options.theme).value_or(Theme::dark);
   preferences.uiScale = options.uiScale;
+  preferences.language = options.language;
+  chooseLanguage(options.language);  // an Error comes before the work
   HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
   Desk& desk = headless.desk();
   desk.open(level);
@@ -132,6 +135,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
       ->check(numberFrom(0.75, 3));
   command->add_option("--theme", options->theme, "dark, light or projector (default dark)")
       ->check(CLI::IsMember({"dark", "light", "projector"}));
+  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default en)");
   command->add_flag("--no-panels", options->noPanels, "Only the 3D view");
   command->add_flag("--transparent", options->transparent, "No background and no ground: transparent there");
   command->add_flag("--look-through", options->lookThrough, "Seen through the RT camera");

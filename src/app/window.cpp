@@ -307,6 +307,7 @@ void runWindow(const WindowOptions& options) {
   std::string message;
   Preferences preferences = loadPreferences(preferencesPath(), message);
   if (options.theme) preferences.theme = *options.theme;
+  if (!options.language.empty()) preferences.language = options.language;
   if (options.uiScale) preferences.uiScale = *options.uiScale;
   if (!message.empty()) fmt::print(stderr, "{}\n", message);
   MainWindow(options, preferences).run();

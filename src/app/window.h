@@ -12,6 +12,7 @@ namespace anamorph {
 struct WindowOptions {
   std::filesystem::path level;
   std::optional<Theme> theme;
+  std::string language;  ///< empty: as in the preferences
   std::optional<double> uiScale;
   bool fullscreen = false;
   int width = 1280, height = 800;

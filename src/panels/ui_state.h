@@ -29,6 +29,11 @@ struct Fonts {
 
 enum class Theme { dark, light, projector };
 
+/// A language that can be chosen: its code ("nl"), and what its speakers call it.
+struct LanguageChoice {
+  std::string code, name;
+};
+
 /// Kept between runs.
 struct Preferences {
   Theme theme = Theme::dark;
@@ -36,6 +41,7 @@ struct Preferences {
   bool vrtKeys = false;  ///< T/R/S for move, rotate, scale as in Virtual Ray Tracer, instead of W/E/R
   bool legend = true;
   double leftWidth = 264, rightWidth = 336, previewHeight = 416;  ///< at 100 % UI scale
+  std::string language;  ///< code; empty: as the system is set
 
   bool operator==(const Preferences&) const = default;
 };
@@ -89,6 +95,7 @@ struct UiState {
   UiTextures textures;
   UiRequests requests;
   std::vector<LevelEntry> levels;
+  std::vector<LanguageChoice> languages;
 
   bool panelsHidden = false;
   bool helpOpen = false;

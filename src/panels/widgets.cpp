@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "base/language.h"
 #include "panels/style.h"
 
 namespace anamorph {
@@ -13,13 +14,18 @@ namespace {
 
 constexpr float nameShare = 0.40f;  // of the width
 
+// What is shown in the chosen language, with the English text as Dear ImGui's identity.
+std::string label(const char* english) {
+  return std::string(tr(english)) + "###" + english;
+}
+
 // Writes the name and moves to where the control goes. Pair with endRow().
 void beginRow(const char* name, const char* help) {
   ImGui::PushID(name);
   const float width = ImGui::GetContentRegionAvail().x;
   const float start = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name);
+  ImGui::TextUnformatted(tr(name));
   tooltip(help);
   ImGui::SameLine();
   ImGui::SetCursorPosX(start + nameShare * width);
@@ -51,7 +57,7 @@ bool section(const UiState& ui, const char* title, bool open) {
   ImGui::Dummy({0, 2});
   const FontScope strong(ui.fonts.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
-  const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  const bool shown = ImGui::CollapsingHeader(label(title).c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   ImGui::PopStyleColor();
   return shown;
 }
@@ -111,7 +117,7 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
 }
 
 bool checkRow(const char* name, bool& value, const char* help) {
-  const bool changed = ImGui::Checkbox(name, &value);
+  const bool changed = ImGui::Checkbox(label(name).c_str(), &value);
   tooltip(help);
   return changed;
 }
@@ -132,7 +138,9 @@ bool colorRow(const char* name, Color& value, const char* help) {
 
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help) {
   beginRow(name, help);
-  const bool changed = ImGui::Combo("##value", &value, choices.data(), static_cast<int>(choices.size()));
+  std::vector<const char*> names;
+  for (const char* choice : choices) names.push_back(tr(choice));
+  const bool changed = ImGui::Combo("##value", &value, names.data(), static_cast<int>(names.size()));
   endRow(help);
   return changed;
 }
@@ -157,7 +165,7 @@ void tooltip(const char* text) {
   if (rested < 0.5f) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(tr(text));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -175,14 +183,14 @@ bool closePopups() {
 void quietText(const UiState& ui, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(tr(text));
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
 bool wideButton(const char* name, const char* help, bool enabled) {
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(name, {-FLT_MIN, 0});
+  const bool pressed = ImGui::Button(label(name).c_str(), {-FLT_MIN, 0});
   ImGui::EndDisabled();
   tooltip(help);
   return pressed;
@@ -199,7 +207,7 @@ bool segmentedControl(const char* id, int& chosen, const std::vector<const char*
     if (i % columns != 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (ImGui::Button(names[i], {width, 0})) {
+    if (ImGui::Button(label(names[i]).c_str(), {width, 0})) {
       chosen = i;
       changed = true;
     }

@@ -1,6 +1,8 @@
 // Rows of a property panel: a name on the left, a control on the right, an explanation when the mouse rests
 // on either. Every control works on a copy of its value and returns whether it was changed, so that panels
 // can compare and hand the copy to the session.
+//
+// Names, choices and explanations are given in English and shown in the chosen language (base/language.h).
 #pragma once
 
 #include <array>
