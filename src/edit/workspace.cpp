@@ -126,9 +126,7 @@ std::optional<Construction> currentConstruction(const Workspace& work) {
   if (!work.point || !products.original.mesh) return std::nullopt;
   if (!isOn(*products.original.mesh, *work.point)) return std::nullopt;
   if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
-  const Level& level = products.level;
-  return makeConstruction(level.optic, level.camera.eye, pointOn(*products.original.mesh, *work.point),
-                          level.sculpture.depthScale);
+  return makeConstruction(products.level, pointOn(*products.original.mesh, *work.point));
 }
 
 PreparedSculpture shownSculpture(Workspace& work) {

@@ -93,14 +93,14 @@ std::vector<VertexRay> sampleVertexRays(const Level& level, const Mesh& original
   for (std::size_t i = 0; i < wanted; ++i) {
     // At the middle of each of `wanted` equal parts of the list.
     const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
-    rays.push_back(
-        makeVertexRay(level.optic, level.camera.eye, original.positions[vertex], level.sculpture.depthScale));
+    rays.push_back(makeVertexRay(level.optic, level.camera.eye, original.positions[vertex],
+                                 level.sculpture.depthScale, level.sculpture.mistakes));
   }
   return rays;
 }
 
 // The two legs of a vertex ray, or the one that it has when it is not mapped.
-std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings) {
+std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings, bool passes) {
   const bool mapped = ray.status == PathStatus::mapped;
   if (!mapped && settings.hideNoHit) return {};
   Line first = rayStyle(mapped ? RayKind::camera : RayKind::noHit), second = rayStyle(RayKind::reflected);
@@ -109,6 +109,10 @@ std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings) {
   if (!mapped) {
     first.to = ray.status == PathStatus::missesMirror ? ray.eye + missLength * (ray.original - ray.eye)
                                                       : ray.original;
+    return {first};
+  }
+  if (passes) {  // nothing bends it
+    first.to = ray.sculpture;
     return {first};
   }
   first.to = second.from = ray.mirror;
@@ -187,7 +191,7 @@ std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, c
   double travelled = travelledIn(seconds, settings);
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
     double begin = 0;
-    for (const Line& leg : legsOf(ray, settings)) {
+    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
       const double end = begin + glm::length(leg.to - leg.from);
       addPart(lines, leg, Stretch{begin, end}.share(travelled));
       begin = end;
@@ -211,7 +215,7 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
 double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings) {
   double most = 0, sum = 0;
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
-    const double length = lengthOf(legsOf(ray, settings));
+    const double length = lengthOf(legsOf(ray, settings, level.optic.kind == OpticKind::none));
     most = std::max(most, length);
     sum += length;
   }
