@@ -11,6 +11,7 @@
 #include "edit/construction.h"
 #include "edit/display_settings.h"
 #include "edit/gizmo.h"
+#include "edit/lesson_run.h"
 #include "edit/morph_stage.h"
 #include "edit/pick.h"
 #include "edit/pose_flight.h"
@@ -57,6 +58,10 @@ struct Workspace {
   bool animationPaused = false;
 
   MorphStage morph;
+
+  LessonRun lesson;
+  LessonProgress progress;
+  int exported = 0;  ///< how many files were exported since the program started
 
   std::string message;  ///< for the status line, until the next one
 };
