@@ -1,6 +1,7 @@
 // "Show me": the move of a step, made before the student's eyes.
 
 #include <algorithm>
+#include <variant>
 
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
@@ -56,6 +57,8 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
   }
   if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
   level.original.shape = shapeNamed(move.shape, level.original.shape);
+  if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments)
+    box->segments = *move.segments;
   level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape);
   putRight(level.sculpture.mistakes, move.putRight);
   return level;
