@@ -122,11 +122,13 @@ void Desk::refreshLanguage() {
 void Desk::refreshStyle() {
   const Preferences& p = ui_.preferences;
   ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
-  if (ui_.scale == styleScale_ && p.theme == styleTheme_ && ImGui::GetIO().Fonts->IsBuilt()) return;
+  const bool asBefore =
+      ui_.scale == styleScale_ && p.theme == styleTheme_ && ui_.presenting == (ui_.fonts.huge != nullptr);
+  if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
   styleScale_ = ui_.scale;
   styleTheme_ = p.theme;
   applyStyle(p.theme, ui_.scale);
-  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale));
+  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale), ui_.presenting);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -185,6 +187,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   });
   if (auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
   times_.advance = timed([&] { advance(*work_, seconds); });
+  ViewInputMaker::stepRays(*work_);
   const double length = ViewInputMaker::animationSeconds(*work_);
   if (work_->rays.animate && !work_->rays.loop && work_->animationSeconds > length) {
     work_->animationSeconds = length;

@@ -67,6 +67,7 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
     if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, 0.75);
     read(json, "vrtKeys", p.vrtKeys);
     read(json, "legend", p.legend);
+    read(json, "tourSeen", p.tourSeen);
     read(json, "leftWidth", p.leftWidth, 180, 600);
     read(json, "rightWidth", p.rightWidth, 240, 900);
     read(json, "previewHeight", p.previewHeight, 220, 1400);
@@ -86,6 +87,7 @@ void savePreferences(const fs::path& path, const Preferences& p) {
                                  .add("uiScale", p.uiScale)
                                  .add("vrtKeys", p.vrtKeys)
                                  .add("legend", p.legend)
+                                 .add("tourSeen", p.tourSeen)
                                  .add("leftWidth", std::round(p.leftWidth))
                                  .add("rightWidth", std::round(p.rightWidth))
                                  .add("previewHeight", std::round(p.previewHeight))

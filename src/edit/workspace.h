@@ -56,6 +56,7 @@ struct Workspace {
 
   double animationSeconds = 0;  ///< of the rays
   bool animationPaused = false;
+  int rayStep = 0;  ///< +1, -1: the animation is to stop where the next, the last piece of a ray ends
 
   MorphStage morph;
 

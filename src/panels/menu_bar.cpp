@@ -44,8 +44,11 @@ void viewMenu(Workspace& work, UiState& ui) {
   item(Action::toggleParallel, work, ui, true, work.pose.orthographic);
   ImGui::Separator();
   item(Action::pauseRays, work, ui, work.rays.animate, work.animationPaused);
+  item(Action::rayStepForward, work, ui, work.rays.show);
+  item(Action::rayStepBack, work, ui, work.rays.show);
   item(Action::hidePanels, work, ui, true, ui.panelsHidden);
   item(Action::fullscreen, work, ui);
+  item(Action::present, work, ui, true, ui.presenting);
 }
 
 void menus(Workspace& work, UiState& ui) {
@@ -68,17 +71,24 @@ void menus(Workspace& work, UiState& ui) {
   if (ImGui::BeginMenu(tr("Level"))) {
     for (const LevelEntry& entry : ui.levels) {
       const bool open = isOpen(work, entry);
-      if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str()), nullptr, open)) {
+      if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str()), nullptr,
+                          open)) {
         ui.requests.open = entry.path;
       }
     }
     ImGui::Separator();
     item(Action::previousLevel, work, ui);
     item(Action::nextLevel, work, ui);
+    ImGui::Separator();
+    item(Action::previousStep, work, ui, !work.lesson.empty());
+    item(Action::nextStep, work, ui, !work.lesson.empty());
+    item(Action::showStep, work, ui, !work.lesson.empty());
+    item(Action::progress, work, ui, true, ui.progressOpen);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("Help"))) {
     item(Action::help, work, ui);
+    item(Action::tour, work, ui);
     ImGui::EndMenu();
   }
 }

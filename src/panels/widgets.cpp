@@ -19,10 +19,36 @@ std::string label(const char* english) {
   return std::string(tr(english)) + "###" + english;
 }
 
+// What pointAt() was told. Like Dear ImGui itself, one for the thread that draws.
+struct Pointer {
+  std::string name;
+  bool scrolled = false;
+  int count = 0;
+};
+Pointer pointer;
+
+// Around what is pointed at, over everything, breathing so that it is found.
+void outline(const ImVec2& low, const ImVec2& high) {
+  if (!pointer.scrolled) ImGui::SetScrollHereY(0.3f);
+  pointer.scrolled = true;
+  ++pointer.count;
+  const float pulse = 0.5f + 0.5f * std::sin(6 * static_cast<float>(ImGui::GetTime()));
+  const float grow = ImGui::GetFontSize() * (0.15f + 0.12f * pulse);
+  ImGui::GetForegroundDrawList()->AddRect({low.x - grow, low.y - grow}, {high.x + grow, high.y + grow},
+                                          IM_COL32(255, 120, 0, 255), grow, 0, 0.2f * ImGui::GetFontSize());
+}
+
+void pointedRow(const char* name, float width) {
+  if (pointer.name.empty() || pointer.name != name) return;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  outline(low, {low.x + width, low.y + ImGui::GetFrameHeight()});
+}
+
 // Writes the name and moves to where the control goes. Pair with endRow().
 void beginRow(const char* name, const char* help) {
   ImGui::PushID(name);
   const float width = ImGui::GetContentRegionAvail().x;
+  pointedRow(name, width);
   const float start = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(tr(name));
@@ -118,6 +144,7 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
 
 bool checkRow(const char* name, bool& value, const char* help) {
   const bool changed = ImGui::Checkbox(label(name).c_str(), &value);
+  pointedItem(name);
   tooltip(help);
   return changed;
 }
@@ -151,6 +178,40 @@ void textRow(const char* name, const std::string& value, const char* help) {
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
   endRow(help);
+}
+
+void pointAt(const std::string& name) {
+  if (pointer.name == name) return;
+  pointer.name = name;
+  pointer.scrolled = false;
+}
+
+void pointedItem(const char* name) {
+  if (pointer.name.empty() || pointer.name != name) return;
+  outline(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+int pointedCount() {
+  return pointer.count;
+}
+
+void drawStar(const ImVec2& middle, float radius) {
+  constexpr ImU32 gold = IM_COL32(0xE6, 0x9F, 0x00, 255);
+  constexpr int points = 5;
+  const auto at = [&](float turn, float r) {
+    const float angle = (turn / points - 0.25f) * 2 * 3.14159265f;
+    return ImVec2{middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)};
+  };
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  constexpr float inner = 0.5f;
+  std::vector<ImVec2> core;
+  for (int i = 0; i < points; ++i) {
+    const auto turn = static_cast<float>(i);
+    list->AddTriangleFilled(at(turn - 0.5f, inner * radius), at(turn, radius),
+                            at(turn + 0.5f, inner * radius), gold);
+    core.push_back(at(turn + 0.5f, inner * radius));
+  }
+  list->AddConvexPolyFilled(core.data(), points, gold);
 }
 
 void tooltip(const char* text) {
@@ -192,6 +253,7 @@ bool wideButton(const char* name, const char* help, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const bool pressed = ImGui::Button(label(name).c_str(), {-FLT_MIN, 0});
   ImGui::EndDisabled();
+  pointedItem(name);
   tooltip(help);
   return pressed;
 }
@@ -211,6 +273,7 @@ bool segmentedControl(const char* id, int& chosen, const std::vector<const char*
       chosen = i;
       changed = true;
     }
+    pointedItem(names[i]);
     if (on) ImGui::PopStyleColor();
   }
   ImGui::PopStyleVar();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "anamorphosis/vertex_ray.h"
 
@@ -134,6 +135,19 @@ double travelledIn(double seconds, const RaySettings& settings) {
   return settings.animate ? seconds * settings.speed : std::numeric_limits<double>::infinity();
 }
 
+// Lengths along the way to seconds, in order; those that no eye could tell apart count once.
+std::vector<double> stopsAt(std::vector<double> ways, const RaySettings& settings) {
+  ways.push_back(0);
+  std::sort(ways.begin(), ways.end());
+  const double gap = 1e-3 * ways.back();
+  std::vector<double> stops;
+  for (const double way : ways) {
+    if (stops.empty() || way - stops.back() > gap) stops.push_back(way);
+  }
+  for (double& stop : stops) stop = secondsFor(stop, settings);
+  return stops;
+}
+
 Color hex(int rgb) {
   return Color((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
 }
@@ -220,6 +234,36 @@ double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const
     sum += length;
   }
   return secondsFor(settings.sequential ? sum : most, settings);
+}
+
+std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
+                                       std::optional<std::size_t> only) {
+  std::vector<double> ways;
+  double begin = 0;
+  visitTrees(trees, only, [&](const RayTree& tree) {
+    const std::vector<Stretch> stretches = stretchesOf(tree);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const RaySegment& segment = tree.segments[i];
+      if (isShown(segment, contributionOf(segment, tree), settings)) ways.push_back(begin + stretches[i].end);
+    }
+    if (settings.sequential) begin += wayOf(tree, stretches, settings);
+  });
+  return stopsAt(std::move(ways), settings);
+}
+
+std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
+                                            const RaySettings& settings) {
+  std::vector<double> ways;
+  double begin = 0;
+  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+    double end = begin;
+    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+      end += glm::length(leg.to - leg.from);
+      ways.push_back(end);
+    }
+    if (settings.sequential) begin = end;
+  }
+  return stopsAt(std::move(ways), settings);
 }
 
 }  // namespace anamorph
