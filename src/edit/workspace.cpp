@@ -67,6 +67,7 @@ void openLevel(Workspace& work, const std::filesystem::path& path) {
   work.selection = {};
   work.point.reset();
   work.cell.reset();
+  work.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
   work.display.morph = 1;
   work.animationSeconds = 0;
   work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
