@@ -26,6 +26,11 @@ struct InstalledLesson {
   Lesson lesson;
 };
 
+// For messages of tests.
+void PrintTo(const InstalledLesson& lesson, std::ostream* out) {
+  *out << lesson.name;
+}
+
 std::vector<InstalledLesson> installedLessons() {
   std::vector<InstalledLesson> lessons;
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
@@ -70,6 +75,7 @@ void makeMove(Workspace& work) {
 void open(Workspace& work, const InstalledLesson& lesson) {
   openLevel(work, lesson.path);
   work.preview.size = 16;
+  work.studio.finish(work.session, {work.preview.size, false});
   rest(work, {});
 }
 
@@ -78,6 +84,10 @@ struct Case {
   InstalledLesson lesson;
   std::size_t step = 0;
 };
+
+void PrintTo(const Case& step, std::ostream* out) {
+  *out << step.lesson.name << ", step " << step.step;
+}
 
 std::vector<Case> allSteps() {
   std::vector<Case> cases;
@@ -183,7 +193,7 @@ TEST_P(LessonTest, IsShortAndComplete) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, LessonTest, testing::ValuesIn(installedLessons()),
-                         [](const auto& info) { return alphanumeric(info.param.name); });
+                         [](const auto& lesson) { return alphanumeric(lesson.param.name); });
 
 TEST(Lessons, HaveIdsAndBadgesOfTheirOwn) {
   std::set<std::string> ids, badges;
