@@ -1,0 +1,105 @@
+#include "exports/set_up.h"
+
+#include <algorithm>
+
+#include "exports/printable.h"
+#include "pipeline/settle.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double levelTolerance = 1e-9;  // of the size: what stands on the ground to the last bits
+
+Point2 flat(const Vector& v) {
+  return {v.x, v.y};
+}
+
+// The direction on the table from the eye to what it looks at.
+Point2 headingOf(const Point& eye, const Point& middle, const Point& target) {
+  const double size = glm::length(middle - eye);
+  for (const Point& aim : {middle, target}) {
+    const Point2 way = flat(aim - eye);
+    if (glm::length(way) > 1e-6 * size && glm::length(way) > 0) return glm::normalize(way);
+  }
+  return {0, 1};
+}
+
+struct ScaleMirror {
+  double factor;
+  MirrorShape operator()(PlaneMirror plane) const {
+    for (Point& corner : plane.corners) corner *= factor;
+    return plane;
+  }
+  MirrorShape operator()(const CylinderMirror& c) const {
+    return CylinderMirror{factor * c.bottom, factor * c.top, factor * c.radius};
+  }
+  MirrorShape operator()(const SphereMirror& s) const {
+    return SphereMirror{factor * s.centre, factor * s.radius};
+  }
+};
+
+}  // namespace
+
+MirrorShape scaleMirror(const MirrorShape& shape, double factor) {
+  return std::visit(ScaleMirror{factor}, shape);
+}
+
+Point2 SetUp::planOf(const Point& p) const {
+  const Point2 way = flat(p - middle);
+  return {glm::dot(way, right), glm::dot(way, away)};
+}
+
+Point2 SetUp::sideOf(const Point& p) const {
+  return {planOf(p).y, p.z - table};
+}
+
+SetUp makeSetUp(const FinishedLevel& finished, double millimetresPerUnit,
+                const std::optional<BasePlateSettings>& plate) {
+  const Level& level = finished.level;
+  SetUp setUp;
+  setUp.title = level.title;
+  setUp.millimetresPerUnit = millimetresPerUnit;
+  setUp.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
+  setUp.mirrorSurface = tessellate(setUp.mirror);
+  setUp.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
+  setUp.eye = millimetresPerUnit * level.camera.eye;
+  setUp.middle = middleOf(setUp.mirror);
+  setUp.away = headingOf(setUp.eye, setUp.middle, millimetresPerUnit * level.camera.target);
+  setUp.right = {setUp.away.y, -setUp.away.x};
+  const Box mirrorBox = boundingBox(setUp.mirrorSurface.positions);
+  const Box sculptureBox = boundingBox(setUp.sculpture.positions);
+  setUp.table = millimetresPerUnit * level.ground.height;
+  const double lowest = std::min(mirrorBox.min.z, sculptureBox.min.z);
+  if (lowest < setUp.table - levelTolerance * (mirrorBox.diagonal() + sculptureBox.diagonal())) {
+    setUp.table = lowest;
+    setUp.onGround = false;
+  }
+  if (plate) setUp.plate = makeBasePlate(setUp.sculpture, setUp.mirrorSurface, setUp.table, *plate);
+  return setUp;
+}
+
+double shareHiddenByPlate(const FinishedLevel& finished, const SetUp& setUp) {
+  if (!setUp.plate) return 0;
+  constexpr int size = 160;  // pixels
+  const auto toScene = [&](const Point& p) { return p / setUp.millimetresPerUnit; };
+  const Bvh plate(mapPoints(setUp.plate->mesh.positions, toScene), setUp.plate->mesh.triangles);
+  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
+  const Level& level = finished.level;
+  const auto [width, height] = pictureSize(level.camera, size);
+  const Projection projection(level.camera, width, height);
+  std::size_t seen = 0, hidden = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
+      const OpticPath path = followRay(level.optic, ray);
+      BvhHit hit;
+      if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) continue;
+      if (!sculpture.closestHit(path.exit, hit)) continue;
+      ++seen;
+      if (plate.anyHit(ray, 0, path.travelled) || plate.anyHit(path.exit, 0, hit.t)) ++hidden;
+    }
+  }
+  return seen > 0 ? double(hidden) / double(seen) : 0;
+}
+
+}  // namespace anamorph

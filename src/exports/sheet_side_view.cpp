@@ -1,0 +1,221 @@
+#include "exports/sheet_side_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+namespace {
+
+constexpr double labelColumn = 34, labelStep = 3.4, labelSize = 2.6;
+constexpr double heading = 6, tableStrip = 4, topStrip = 8, sideStrip = 7;  // around the things
+
+const Pen thin{0.12, ink::faint, {0.6, 0.8}};
+
+std::vector<Point2> flatten(const SetUp& setUp, const PointArray& positions) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(setUp.sideOf(positions[i]));
+  return points;
+}
+
+// The pixel nearest to the middle of the image in which the mirror shows the sculpture.
+std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, const SetUp& setUp) {
+  constexpr int size = 41;
+  const Level& level = finished.level;
+  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
+  const Projection projection(level.camera, size, size);
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<std::array<Point2, 3>> found;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      const double distance = std::hypot(x - size / 2, y - size / 2);
+      if (distance >= nearest) continue;
+      const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
+      const OpticPath path = followRay(level.optic, ray);
+      BvhHit hit;
+      if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) continue;
+      if (!sculpture.closestHit(path.exit, hit)) continue;
+      const auto toSide = [&](const Point& p) { return setUp.sideOf(setUp.millimetresPerUnit * p); };
+      nearest = distance;
+      found = {toSide(level.camera.eye), toSide(path.points[0]), toSide(path.exit.at(hit.t))};
+    }
+  }
+  return found;
+}
+
+// Text baselines near their heights, at least labelStep apart: pushed down from above, then back up from
+// below.
+std::vector<double> spreadLabels(std::vector<double> places, double lowest) {
+  for (std::size_t i = 1; i < places.size(); ++i) places[i] = std::max(places[i], places[i - 1] + labelStep);
+  for (std::size_t i = places.size(); i-- > 0;) {
+    const double limit = i + 1 == places.size() ? lowest : places[i + 1] - labelStep;
+    places[i] = std::min(places[i], limit);
+  }
+  return places;
+}
+
+// 1, 1.2, 1.5, 2, ... times a power of ten: the smallest that is not below.
+double roundScale(double least) {
+  const double decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (step * decade >= least * (1 - 1e-9)) return step * decade;
+  }
+  return 10 * decade;
+}
+
+std::string scaleName(double scale) {
+  return scale < 1 ? fmt::format("{:.3g} : 1", 1 / scale) : fmt::format("1 : {:.3g}", scale);
+}
+
+void addBox(Rectangle& box, const std::vector<Point2>& points) {
+  for (const Point2& p : points) {
+    box.min = glm::min(box.min, p);
+    box.max = glm::max(box.max, p);
+  }
+}
+
+double highestOf(const std::vector<Point2>& points) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Point2& p : points) highest = std::max(highest, p.y);
+  return highest;
+}
+
+double lowestOf(const std::vector<Point2>& points) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Point2& p : points) lowest = std::min(lowest, p.y);
+  return lowest;
+}
+
+class Drawing {
+ public:
+  Drawing(Page& page, const SideView& view, const Rectangle& area) : page_(page), view_(view), area_(area) {
+    const Point2 room = area.size() - Point2(labelColumn + sideStrip + 2, heading + topStrip + tableStrip);
+    const Point2 size = glm::max(view.box.size(), Point2(1e-6));
+    scale_ = roundScale(std::max(size.x / room.x, size.y / room.y));
+    origin_ = {area.min.x + sideStrip - view.box.min.x / scale_,
+               area.max.y - tableStrip + view.box.min.y / scale_};
+  }
+
+  void draw() {
+    drawText(page_,
+             {area_.min + Point2(0, 3), "Side view, " + scaleName(scale_) + ", heights above the table", 2.8,
+              true, TextAlign::left, false, ink::black});
+    drawTable();
+    drawLabels();
+    drawThings();
+    drawRay();
+    drawEyeHeight();
+  }
+
+ private:
+  Point2 at(const Point2& p) const { return origin_ + Point2(p.x, -p.y) / scale_; }
+
+  double rightEnd() const { return at(view_.box.max).x; }
+
+  void drawTable() {
+    const double y = at({0, 0}).y;
+    drawLine(page_, {area_.min.x, y}, {rightEnd() + 3, y}, Pen{0.35, ink::black, {}});
+    for (double x = area_.min.x + 1; x < rightEnd() + 3; x += 2.5)
+      drawLine(page_, {x, y}, {x - 1, y + 1.2}, Pen{0.12, ink::grey, {}});
+  }
+
+  void drawShape(const std::vector<Loop>& loops, const Pen& pen, const Color& fill) {
+    PageShape shape{loops, true, pen, fill};
+    for (auto& line : shape.lines) {
+      for (Point2& p : line) p = at(p);
+    }
+    page_.items.push_back(std::move(shape));
+  }
+
+  void drawThings() {
+    drawShape({view_.mirror}, Pen{0.35, ink::blue, {}}, ink::lightBlue);
+    if (!view_.plate.empty()) drawShape(view_.plate, Pen{0.25, ink::green, {}}, Color(0.88, 0.96, 0.93));
+    drawShape(view_.sculpture, Pen{0.35, ink::vermilion, {}}, ink::lightVermilion);
+  }
+
+  void drawRay() {
+    if (!view_.ray) return;
+    const auto& [eye, mirror, sculpture] = *view_.ray;
+    drawLine(page_, at(eye), at(mirror), Pen{0.25, ink::blue, {}});
+    drawLine(page_, at(mirror), at(sculpture), Pen{0.25, ink::vermilion, {1.4, 0.8}});
+  }
+
+  void drawEyeHeight() {
+    const Point2 eye = at(view_.eye), foot = at({view_.eye.x, 0});
+    drawLine(page_, eye, foot, Pen{0.15, ink::grey, {}});
+    drawEye(page_, eye, 5);
+    const std::string text = "eye " + formatLength(view_.eye.y);
+    drawText(page_, {{std::max(eye.x - 5, area_.min.x), eye.y - 3},
+                     text,
+                     labelSize,
+                     false,
+                     TextAlign::left,
+                     false,
+                     ink::black});
+  }
+
+  void drawLabels() {
+    const double column = rightEnd() + 8;
+    std::vector<double> places;
+    for (const HeightLabel& label : view_.labels) places.push_back(at({0, label.height}).y);
+    const std::vector<double> spread = spreadLabels(places, area_.max.y - 1);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Point2 bend{rightEnd() + 4, places[i]};
+      drawLine(page_, {at(view_.box.min).x, places[i]}, bend, thin);
+      drawLine(page_, bend, {column - 0.8, spread[i]}, Pen{0.12, ink::grey, {}});
+      drawText(page_, {{column, spread[i] + 0.9},
+                       view_.labels[i].text,
+                       labelSize,
+                       false,
+                       TextAlign::left,
+                       false,
+                       ink::black});
+    }
+  }
+
+  Page& page_;
+  const SideView& view_;
+  const Rectangle area_;
+  double scale_ = 1;
+  Point2 origin_{0};
+};
+
+}  // namespace
+
+SideView makeSideView(const FinishedLevel& finished, const SetUp& setUp) {
+  SideView view;
+  const std::vector<Point2> mirror = flatten(setUp, setUp.mirrorSurface.positions);
+  const std::vector<Point2> sculpture = flatten(setUp, setUp.sculpture.positions);
+  view.mirror = convexHull(mirror);
+  view.sculpture = makeSilhouette(sculpture, setUp.sculpture.triangles, 600);
+  view.eye = setUp.sideOf(setUp.eye);
+  view.ray = findRay(finished, setUp);
+  const auto label = [&](double height, const std::string& name) {
+    view.labels.push_back({height, name + " " + formatLength(height)});
+  };
+  const double top = highestOf(sculpture), bottom = lowestOf(sculpture);
+  label(highestOf(mirror), "mirror, top");
+  if (lowestOf(mirror) > 0.05) label(lowestOf(mirror), "mirror, bottom");
+  label(top, "sculpture, top");
+  if (bottom > 0.05 || setUp.plate) label(bottom, "sculpture, bottom");
+  view.box = {Point2(view.eye.x, 0), view.eye};
+  addBox(view.box, mirror);
+  addBox(view.box, sculpture);
+  if (setUp.plate) {
+    const std::vector<Point2> plate = flatten(setUp, setUp.plate->mesh.positions);
+    view.plate = makeSilhouette(plate, setUp.plate->mesh.triangles, 600);
+    if (lowestOf(plate) < -0.05) label(lowestOf(plate), "plate, lower face");
+    addBox(view.box, plate);
+  }
+  std::stable_sort(view.labels.begin(), view.labels.end(),
+                   [](const HeightLabel& a, const HeightLabel& b) { return a.height > b.height; });
+  return view;
+}
+
+void drawSideView(Page& page, const SideView& view, const Rectangle& area) {
+  Drawing(page, view, area).draw();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,93 @@
+#include "exports/sheet_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "exports/page_drawing.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double nothing = 0.05;  // millimetres
+
+std::string mm(double millimetres) {
+  return formatLength(millimetres) + " mm";
+}
+
+struct DescribeMirror {
+  const SetUp& setUp;
+  double bottom;  // above the table
+
+  std::string standing(const std::string& how) const {
+    return bottom > nothing ? how + ", its lowest point " + mm(bottom) + " above the table." : how + ".";
+  }
+
+  std::string operator()(const PlaneMirror& plane) const {
+    const auto side = [&](int i) { return glm::length(plane.corners[(i + 1) % 4] - plane.corners[i]); };
+    const double lean = degrees(std::asin(std::min(1.0, std::abs(planeNormal(plane).z))));
+    const std::string size = fmt::format("flat, {} x {} mm. ", formatLength(side(0)), formatLength(side(1)));
+    if (lean < 0.05) return size + standing("Upright on the blue line, its reflecting side towards the eye");
+    return size + standing(fmt::format("Over the blue outline, leaning {:.1f} degrees from upright", lean));
+  }
+  std::string operator()(const CylinderMirror& cylinder) const {
+    const Vector axis = cylinder.top - cylinder.bottom;
+    const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
+    const std::string size = fmt::format("a cylinder of {} mm diameter, {} mm high. ",
+                                         formatLength(2 * cylinder.radius), formatLength(glm::length(axis)));
+    if (lean < 0.05) return size + standing("Upright on the blue circle");
+    return size + standing(fmt::format("Over the blue outline, leaning {:.1f} degrees", lean));
+  }
+  std::string operator()(const SphereMirror& sphere) const {
+    return fmt::format("a ball of {} mm diameter. ", formatLength(2 * sphere.radius)) +
+           standing("Its lowest point over the cross; the blue circle is its outline");
+  }
+};
+
+std::string sculptureText(const SetUp& setUp, double bottom, double top) {
+  const std::string place = "Over its orange outline, ";
+  if (!setUp.plate) {
+    if (bottom <= nothing) return place + "on the table; it is " + mm(top) + " high.";
+    return place +
+           fmt::format("its lowest point {} and its highest {} above the table.", mm(bottom), mm(top));
+  }
+  const double face = setUp.plate->lowerFace - setUp.table;
+  if (face < -nothing) {
+    return place + fmt::format(
+                       "the lower face of its base plate {} below the table: raise the mirror and the "
+                       "eye by as much.",
+                       mm(-face));
+  }
+  return place + "its base plate (green) on the table.";
+}
+
+}  // namespace
+
+std::vector<SheetStep> makeSheetSteps(const SetUp& setUp, double scale) {
+  const Box mirror = boundingBox(setUp.mirrorSurface.positions);
+  const Box sculpture = boundingBox(setUp.sculpture.positions);
+  std::vector<SheetStep> steps;
+  steps.push_back({"Paper",
+                   scale == 1
+                       ? "Print at 100 % and compare the ruler below with a real one. Lengths are in mm."
+                       : "Smaller than life: set up by the figures, which are true lengths in mm.",
+                   ink::black});
+  steps.push_back(
+      {"Mirror", std::visit(DescribeMirror{setUp, mirror.min.z - setUp.table}, setUp.mirror), ink::blue});
+  steps.push_back({"Sculpture",
+                   sculptureText(setUp, sculpture.min.z - setUp.table, sculpture.max.z - setUp.table),
+                   ink::vermilion});
+  const Point2 eye = setUp.planOf(setUp.eye);
+  steps.push_back(
+      {"Eye",
+       fmt::format("{} above the table, {} from the cross along the centre line. Look with one eye.",
+                   mm(setUp.sideOf(setUp.eye).y), mm(glm::length(eye))),
+       ink::black});
+  if (!setUp.onGround) {
+    steps.push_back({"Table", "Its height is that of the lowest point of mirror and sculpture.", ink::black});
+  }
+  return steps;
+}
+
+}  // namespace anamorph
