@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exports/page_file.h"
+
 namespace anamorph {
 namespace {
 
 // Strips around the things, millimetres of the page.
-constexpr double above = 11, left = 6, below = 11, eyeStrip = 17;
+constexpr double above = 9, left = 4, below = 9, eyeStrip = 13;
 constexpr double railStart = 7, railStep = 6, railEnd = 4;
 constexpr double nothing = 0.05;  // millimetres: not worth a dimension
 
@@ -61,6 +63,18 @@ Loop withoutThinness(const Loop& hull) {
   return isLine ? Loop{from, to} : hull;
 }
 
+// By the number of sides to the right of the point: odd inside.
+bool isInside(const std::vector<Loop>& loops, const Point2& p) {
+  bool inside = false;
+  for (const Loop& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
 // A distance along the page from the middle of the mirror to a line, and where on that line it is measured.
 struct Distance {
   double to;
@@ -103,12 +117,13 @@ class Drawing {
   }
 
   void draw() {
+    drawWidths();
+    drawDistances();
     drawMirror();
     drawSculpture();
     drawPlate();
     drawCentreLine();
-    drawWidths();
-    drawDistances();
+    drawNames();
     drawEyePlace();
     drawAxes();
   }
@@ -207,6 +222,55 @@ class Drawing {
     }
   }
 
+  // Whether there is room for a rectangle of the page's width and height with its middle there.
+  template <typename Contains>
+  static bool hasRoom(const Point2& middle, const Point2& half, const Contains& contains) {
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      for (const double y : {-1.0, 0.0, 1.0}) {
+        if (!contains(middle + Point2(x, y) * half)) return false;
+      }
+    }
+    return true;
+  }
+
+  // The name of a thing inside it, beside the centre line, as near to the line as there is room; nowhere when
+  // there is none.
+  template <typename Contains>
+  void drawName(const std::string& name, const Color& color, const Rectangle& box, const Contains& contains) {
+    constexpr double size = 2.9;
+    const Point2 half = scale_ * Point2(0.5 * textWidth(name, size) + 1, 0.5 * size + 0.7);
+    constexpr int steps = 40;
+    const Point2 step = (box.max - box.min) / double(steps);
+    std::optional<Point2> best;
+    for (int y = 0; y <= steps; ++y) {
+      for (int x = 0; x <= steps; ++x) {
+        const Point2 middle = box.min + step * Point2(x, y);
+        if (std::abs(middle.x) < half.x || std::abs(middle.y) < half.y + scale_) continue;
+        if (best && std::abs(best->x) <= std::abs(middle.x)) continue;
+        if (hasRoom(middle, half, contains)) best = middle;
+      }
+    }
+    if (!best) return;
+    drawText(page_, {at(*best) + Point2(0, 0.36 * size), name, size, false, TextAlign::centre, false, color});
+  }
+
+  // An upright mirror has no inside: its name stands below its left end, where nothing else is.
+  void nameLine() {
+    const Point2 end = plan_.mirrorBox.min;
+    const bool level = plan_.mirrorBox.size().y < scale_;
+    if (!level || plan_.mirrorBox.size().x < 40 * scale_ || plan_.sculptureBox.max.y > end.y - 6 * scale_)
+      return;
+    drawText(page_, {at(end) + Point2(0, 4), "mirror", 2.9, false, TextAlign::left, false, ink::blue});
+  }
+
+  void drawNames() {
+    const auto inSculpture = [&](const Point2& p) { return isInside(plan_.sculpture, p); };
+    const auto inMirror = [&](const Point2& p) { return isInside({plan_.mirror}, p) && !inSculpture(p); };
+    drawName("mirror", ink::blue, plan_.mirrorBox, inMirror);
+    if (plan_.mirror.size() == 2) nameLine();
+    drawName("sculpture", ink::vermilion, plan_.sculptureBox, inSculpture);
+  }
+
   void drawEyePlace() {
     const std::string height = formatLength(plan_.eyeHeight) + " mm above the table";
     if (withEye_) {
@@ -214,14 +278,14 @@ class Drawing {
       const Pen pen{0.3, ink::black, {}};
       drawLine(page_, place - Point2(3, 0), place + Point2(3, 0), pen);
       drawLine(page_, place - Point2(0, 3), place + Point2(0, 3), pen);
-      drawEye(page_, place + Point2(0, 6), 7);
-      write(place + Point2(0, 11.5), "eye, " + height);
+      drawEye(page_, place + Point2(0, 5.6), 6);
+      write(place + Point2(0, 10.6), "eye, " + height);
       return;
     }
-    const Point2 start{at(0, 0).x, at(0, plan_.things.min.y).y + below + 1};
-    drawArrow(page_, start, start + Point2(0, 6), Pen{0.3, ink::black, {}});
-    drawEye(page_, start + Point2(-7, 3), 7);
-    write(start + Point2(0, 9.5),
+    const Point2 start{at(0, 0).x, at(0, plan_.things.min.y).y + below + 0.5};
+    drawArrow(page_, start, start + Point2(0, 5), Pen{0.3, ink::black, {}});
+    drawEye(page_, start + Point2(-6, 2.5), 6);
+    write(start + Point2(0, 9),
           "eye: " + formatLength(std::abs(plan_.eye.y)) + " mm from the cross, " + height);
   }
 
@@ -245,6 +309,13 @@ class Drawing {
     };
     name(x, "x");
     name(y, "y");
+    drawText(page_, {{area_.min.x + (high - low).x + 1, area_.max.y - 1},
+                     "axes of the mesh files",
+                     2.4,
+                     false,
+                     TextAlign::left,
+                     false,
+                     ink::grey});
   }
 
   Page& page_;

@@ -76,16 +76,8 @@ void addBox(Rectangle& box, const std::vector<Point2>& points) {
   }
 }
 
-double highestOf(const std::vector<Point2>& points) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const Point2& p : points) highest = std::max(highest, p.y);
-  return highest;
-}
-
-double lowestOf(const std::vector<Point2>& points) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Point2& p : points) lowest = std::min(lowest, p.y);
-  return lowest;
+bool isLower(const Point2& a, const Point2& b) {
+  return a.y < b.y;
 }
 
 class Drawing {
@@ -95,7 +87,7 @@ class Drawing {
     const Point2 size = glm::max(view.box.size(), Point2(1e-6));
     scale_ = roundScale(std::max(size.x / room.x, size.y / room.y));
     origin_ = {area.min.x + sideStrip - view.box.min.x / scale_,
-               area.max.y - tableStrip + view.box.min.y / scale_};
+               area.min.y + heading + topStrip + view.box.max.y / scale_};
   }
 
   void draw() {
@@ -159,11 +151,11 @@ class Drawing {
   void drawLabels() {
     const double column = rightEnd() + 8;
     std::vector<double> places;
-    for (const HeightLabel& label : view_.labels) places.push_back(at({0, label.height}).y);
-    const std::vector<double> spread = spreadLabels(places, area_.max.y - 1);
+    for (const HeightLabel& label : view_.labels) places.push_back(at(label.at).y);
+    const std::vector<double> spread = spreadLabels(places, at(view_.box.min).y + tableStrip);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Point2 bend{rightEnd() + 4, places[i]};
-      drawLine(page_, {at(view_.box.min).x, places[i]}, bend, thin);
+      drawLine(page_, at(view_.labels[i].at), bend, thin);
       drawLine(page_, bend, {column - 0.8, spread[i]}, Pen{0.12, ink::grey, {}});
       drawText(page_, {{column, spread[i] + 0.9},
                        view_.labels[i].text,
@@ -192,25 +184,27 @@ SideView makeSideView(const FinishedLevel& finished, const SetUp& setUp) {
   view.sculpture = makeSilhouette(sculpture, setUp.sculpture.triangles, 600);
   view.eye = setUp.sideOf(setUp.eye);
   view.ray = findRay(finished, setUp);
-  const auto label = [&](double height, const std::string& name) {
-    view.labels.push_back({height, name + " " + formatLength(height)});
+  const auto label = [&](const Point2& place, const std::string& name) {
+    view.labels.push_back({place, name + " " + formatLength(place.y)});
   };
-  const double top = highestOf(sculpture), bottom = lowestOf(sculpture);
-  label(highestOf(mirror), "mirror, top");
-  if (lowestOf(mirror) > 0.05) label(lowestOf(mirror), "mirror, bottom");
-  label(top, "sculpture, top");
-  if (bottom > 0.05 || setUp.plate) label(bottom, "sculpture, bottom");
-  view.box = {Point2(view.eye.x, 0), view.eye};
+  const auto [mirrorBottom, mirrorTop] = std::minmax_element(mirror.begin(), mirror.end(), isLower);
+  const auto [bottom, top] = std::minmax_element(sculpture.begin(), sculpture.end(), isLower);
+  label(*mirrorTop, "mirror, top");
+  if (mirrorBottom->y > 0.05) label(*mirrorBottom, "mirror, bottom");
+  label(*top, "sculpture, top");
+  if (bottom->y > 0.05 || setUp.plate) label(*bottom, "sculpture, bottom");
+  view.box = {glm::min(view.eye, Point2(view.eye.x, 0)), view.eye};
   addBox(view.box, mirror);
   addBox(view.box, sculpture);
   if (setUp.plate) {
     const std::vector<Point2> plate = flatten(setUp, setUp.plate->mesh.positions);
+    const Point2 lowest = *std::min_element(plate.begin(), plate.end(), isLower);
     view.plate = makeSilhouette(plate, setUp.plate->mesh.triangles, 600);
-    if (lowestOf(plate) < -0.05) label(lowestOf(plate), "plate, lower face");
+    if (lowest.y < -0.05) label(lowest, "plate, lower face");
     addBox(view.box, plate);
   }
   std::stable_sort(view.labels.begin(), view.labels.end(),
-                   [](const HeightLabel& a, const HeightLabel& b) { return a.height > b.height; });
+                   [](const HeightLabel& a, const HeightLabel& b) { return a.at.y > b.at.y; });
   return view;
 }
 

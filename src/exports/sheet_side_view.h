@@ -14,7 +14,7 @@
 namespace anamorph {
 
 struct HeightLabel {
-  double height = 0;  ///< above the table
+  Point2 at{0};  ///< where in the side view the line to it begins
   std::string text;
 };
 

@@ -27,20 +27,20 @@ struct DescribeMirror {
   std::string operator()(const PlaneMirror& plane) const {
     const auto side = [&](int i) { return glm::length(plane.corners[(i + 1) % 4] - plane.corners[i]); };
     const double lean = degrees(std::asin(std::min(1.0, std::abs(planeNormal(plane).z))));
-    const std::string size = fmt::format("flat, {} x {} mm. ", formatLength(side(0)), formatLength(side(1)));
+    const std::string size = fmt::format("Flat, {} x {} mm. ", formatLength(side(0)), formatLength(side(1)));
     if (lean < 0.05) return size + standing("Upright on the blue line, its reflecting side towards the eye");
     return size + standing(fmt::format("Over the blue outline, leaning {:.1f} degrees from upright", lean));
   }
   std::string operator()(const CylinderMirror& cylinder) const {
     const Vector axis = cylinder.top - cylinder.bottom;
     const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
-    const std::string size = fmt::format("a cylinder of {} mm diameter, {} mm high. ",
+    const std::string size = fmt::format("A cylinder of {} mm diameter, {} mm high. ",
                                          formatLength(2 * cylinder.radius), formatLength(glm::length(axis)));
     if (lean < 0.05) return size + standing("Upright on the blue circle");
     return size + standing(fmt::format("Over the blue outline, leaning {:.1f} degrees", lean));
   }
   std::string operator()(const SphereMirror& sphere) const {
-    return fmt::format("a ball of {} mm diameter. ", formatLength(2 * sphere.radius)) +
+    return fmt::format("A ball of {} mm diameter. ", formatLength(2 * sphere.radius)) +
            standing("Its lowest point over the cross; the blue circle is its outline");
   }
 };

@@ -14,9 +14,10 @@
 namespace anamorph {
 namespace {
 
-constexpr double margin = 10, headHeight = 17, rulerHeight = 13, gap = 5;
+constexpr double margin = 10, headHeight = 17, rulerHeight = 12, gap = 4;
 constexpr double wordSize = 2.9, lineStep = 4.1, paragraphStep = 1.4;
-constexpr double leastSideView = 46, wordsBeside = 82;  // a block's height below, its width beside the plan
+constexpr double leastSideView = 46, mostSideView = 84;
+constexpr double wordsBeside = 82;  // the width of what is beside the plan
 
 glm::dvec2 sizeOf(Paper paper) {
   switch (paper) {
@@ -75,11 +76,12 @@ struct Layout {
 };
 
 // Words and side view below the plan.
-Layout layUpright(const glm::dvec2& paper, const std::vector<SheetStep>& steps) {
+Layout layUpright(const glm::dvec2& paper, const std::vector<SheetStep>& steps,
+                  double sideView = leastSideView) {
   Layout layout{paper.x, paper.y, {}, {}, {}, {}};
   const double inner = paper.x - 2 * margin, half = 0.5 * (inner - gap);
   layout.text = layWords(steps, half);
-  const double block = std::max(layout.text.height, leastSideView);
+  const double block = std::max(layout.text.height, sideView);
   const double bottom = paper.y - margin - rulerHeight - gap;
   layout.words = {{margin, bottom - block}, {margin + half, bottom}};
   layout.side = {{margin + half + gap, bottom - block}, {paper.x - margin, bottom}};
@@ -128,6 +130,16 @@ Choice chooseLargest(const SheetPlan& plan, const Layout& upright, const Layout&
     }
   }
   throw Error("cannot draw the viewing sheet: it would be larger than the world");
+}
+
+// With the words for the scale; what the plan leaves free goes to the side view.
+Layout finishLayout(const SetUp& setUp, const SheetPlan& plan, const Choice& choice, Paper paper) {
+  const std::vector<SheetStep> steps = makeSheetSteps(setUp, choice.scale);
+  if (choice.across) return layAcross(sizeOf(paper), steps);
+  const Layout layout = layUpright(sizeOf(paper), steps);
+  const double free = layout.plan.size().y - sizeOnPage(plan, choice.scale, choice.withEye).y;
+  const double sideView = std::min(layout.side.size().y + std::max(free, 0.0), mostSideView);
+  return layUpright(sizeOf(paper), steps, sideView);
 }
 
 std::string scaleName(double scale) {
@@ -192,11 +204,7 @@ ViewingSheet makeViewingSheet(const FinishedLevel& finished, const SetUp& setUp,
   } else {
     choice = chooseLargest(plan, upright, across);
   }
-  Layout layout = choice->across ? across : upright;
-  if (choice->scale != 1) {
-    const std::vector<SheetStep> smaller = makeSheetSteps(setUp, choice->scale);
-    layout.text = layWords(smaller, layout.words.size().x);
-  }
+  const Layout layout = finishLayout(setUp, plan, *choice, paper);
   ViewingSheet sheet;
   sheet.scale = choice->scale;
   sheet.showsEye = choice->withEye;

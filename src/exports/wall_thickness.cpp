@@ -11,8 +11,9 @@ namespace anamorph {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double liftShare = 1e-7;  // of the size, to be off the surface one stands on
-constexpr int maxEntries = 16;      // surfaces that a ray enters on its way, of shells inside each other
+constexpr double liftShare = 1e-7;   // of the size, to be off the surface one stands on
+constexpr double leastCosine = 0.6;  // between the ray and the other side's normal
+constexpr int maxEntries = 16;       // surfaces that a ray enters on its way, of shells inside each other
 
 struct Wall {
   double thickness = none;
@@ -53,13 +54,16 @@ Point pointIn(const Mesh& mesh, const Triangle& t, std::size_t index) {
   return a + u * (mesh.positions[t[1]] - a) + v * (mesh.positions[t[2]] - a);
 }
 
-// The way to the first surface that the ray leaves the solid through.
+// The way to the first surface that the ray leaves the solid through; none where that leans too much to be
+// the other side of a wall.
 double wayOut(const Sampler& sampler, const Ray& ray) {
   BvhHit hit;
   double from = sampler.lift;
   for (int i = 0; i < maxEntries && sampler.bvh.closestHit(ray, hit, from); ++i) {
     const Triangle& t = sampler.mesh.triangles[hit.triangle];
-    if (sampler.inward * glm::dot(areaVector(sampler.mesh.positions, t), ray.direction) > 0) return hit.t;
+    const Vector area = areaVector(sampler.mesh.positions, t);
+    const double facing = sampler.inward * glm::dot(area, ray.direction);
+    if (facing > 0) return facing >= leastCosine * glm::length(area) ? hit.t : none;
     from = hit.t;
   }
   return none;

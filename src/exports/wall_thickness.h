@@ -3,8 +3,10 @@
 //
 //      ___________
 //     |  |        \       The points lie evenly over the area (by number, not by chance), so that the first
-//     |  v t       \      percentile means: 99 % of the surface is thicker. Where two faces meet at less than
-//     |__*__________\     90 degrees the walls end in nothing, so the least of all is often such an edge.
+//     |  v t       \      percentile means: 99 % of the walls are thicker. Towards an edge every solid gets
+//     |__*__________\     thinner; that is no wall, so surfaces that lean to each other by more than 53
+//     degrees
+//                         (a cosine of 0.6) are not counted.
 #pragma once
 
 #include <optional>
@@ -17,7 +19,7 @@ namespace anamorph {
 struct WallThickness {
   double least = 0;            ///< the smallest thickness found
   Point leastAt{0};            ///< the middle of the wall there
-  double firstPercentile = 0;  ///< 99 % of the surface is thicker
+  double firstPercentile = 0;  ///< 99 % of the walls are thicker
   std::size_t samples = 0;     ///< rays that came out again; 0: nothing is known
 };
 
