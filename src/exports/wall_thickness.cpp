@@ -11,9 +11,9 @@ namespace anamorph {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double liftShare = 1e-7;   // of the size, to be off the surface one stands on
-constexpr double leastCosine = 0.6;  // between the ray and the other side's normal
-constexpr int maxEntries = 16;       // surfaces that a ray enters on its way, of shells inside each other
+constexpr double liftShare = 1e-7;     // of the size, to be off the surface one stands on
+constexpr double leastCosine = 0.866;  // between the ray and the normal of the other side: 30 degrees
+constexpr int maxEntries = 16;         // surfaces that a ray enters on its way, of shells inside each other
 
 struct Wall {
   double thickness = none;
