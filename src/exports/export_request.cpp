@@ -44,18 +44,18 @@ void checkEnding(const ExportRequest& request) {
   }
 }
 
-std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const SetUp& setUp) {
+std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
-  if (!setUp.plate) return warnings;
-  const double hidden = shareHiddenByPlate(finished, setUp);
+  if (!arrangement.plate) return warnings;
+  const double hidden = shareHiddenByPlate(finished, arrangement);
   if (hidden > hiddenWorthSaying) {
     warnings.push_back(
         fmt::format("the base plate hides {:.1f} % of the reflection: it stands between the eye "
                     "and the mirror, or between the mirror and the sculpture",
                     100 * hidden));
   }
-  const double below = setUp.table - setUp.plate->lowerFace;
-  if (below > 1e-9 * setUp.plate->thickness) {
+  const double below = arrangement.table - arrangement.plate->lowerFace;
+  if (below > 1e-9 * arrangement.plate->thickness) {
     warnings.push_back(
         fmt::format("the base plate's lower face is {:.1f} mm below the table: raise the mirror "
                     "and the eye by as much",
@@ -66,14 +66,14 @@ std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const 
 
 std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
                                             const Progress& progress) {
-  SetUp setUp = makeSetUp(finished, request.millimetresPerUnit, request.basePlate);
-  ExportSummary summary{{}, findPlateWarnings(finished, setUp)};
-  Mesh& mesh = setUp.sculpture;
-  if (setUp.plate) appendMesh(mesh, setUp.plate->mesh);
+  Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
+  ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
+  Mesh& mesh = arrangement.sculpture;
+  if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
-  summary.description =
-      fmt::format("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm{}", mesh.positions.size(),
-                  mesh.triangles.size(), size.x, size.y, size.z, setUp.plate ? " with its base plate" : "");
+  summary.description = fmt::format("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm{}",
+                                    mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z,
+                                    arrangement.plate ? " with its base plate" : "");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
   file.comment =
@@ -85,14 +85,14 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
 
 std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const ExportRequest& request,
                                         const Progress& progress) {
-  const SetUp setUp = makeSetUp(finished, request.millimetresPerUnit, request.basePlate);
+  const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   if (!progress.update(0.3)) return std::nullopt;
-  const ViewingSheet sheet = makeViewingSheet(finished, setUp, request.paper, request.sheetScale);
+  const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
   if (!progress.update(0.8)) return std::nullopt;
   const bool pdf = endingOf(request.path) == ".pdf";
   writeFile(request.path, encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg));
   return ExportSummary{fmt::format("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
-                       findPlateWarnings(finished, setUp)};
+                       findPlateWarnings(finished, arrangement)};
 }
 
 std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "exports/arrangement.h"
 #include "exports/print_check.h"
-#include "exports/set_up.h"
 #include "exports/viewing_sheet.h"
 
 namespace anamorph {

@@ -42,9 +42,9 @@ std::optional<double> circleFromAbove(const MirrorShape& shape) {
   return std::nullopt;
 }
 
-std::vector<Point2> flatten(const SetUp& setUp, const PointArray& positions) {
+std::vector<Point2> flatten(const Arrangement& arrangement, const PointArray& positions) {
   std::vector<Point2> points;
-  for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(setUp.planOf(positions[i]));
+  for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(arrangement.planOf(positions[i]));
   return points;
 }
 
@@ -328,27 +328,28 @@ class Drawing {
 
 }  // namespace
 
-SheetPlan makeSheetPlan(const SetUp& setUp) {
+SheetPlan makeSheetPlan(const Arrangement& arrangement) {
   SheetPlan plan;
-  plan.mirror = withoutThinness(convexHull(flatten(setUp, setUp.mirrorSurface.positions)));
-  plan.mirrorRadius = circleFromAbove(setUp.mirror);
-  plan.sculpture = makeSilhouette(flatten(setUp, setUp.sculpture.positions), setUp.sculpture.triangles);
-  plan.eye = setUp.planOf(setUp.eye);
-  plan.eyeHeight = setUp.sideOf(setUp.eye).y;
+  plan.mirror = withoutThinness(convexHull(flatten(arrangement, arrangement.mirrorSurface.positions)));
+  plan.mirrorRadius = circleFromAbove(arrangement.mirror);
+  plan.sculpture =
+      makeSilhouette(flatten(arrangement, arrangement.sculpture.positions), arrangement.sculpture.triangles);
+  plan.eye = arrangement.planOf(arrangement.eye);
+  plan.eyeHeight = arrangement.sideOf(arrangement.eye).y;
   plan.mirrorBox = boxOf(plan.mirror);
   if (const auto r = plan.mirrorRadius) plan.mirrorBox = {Point2(-*r), Point2(*r)};
-  plan.sculptureBox = boxOf(flatten(setUp, setUp.sculpture.positions));
+  plan.sculptureBox = boxOf(flatten(arrangement, arrangement.sculpture.positions));
   plan.things = plan.mirrorBox;
   extend(plan.things, plan.sculptureBox.min);
   extend(plan.things, plan.sculptureBox.max);
   const auto turned = [&](const Point2& p) {
-    return Point2(glm::dot(p, setUp.right), glm::dot(p, setUp.away));
+    return Point2(glm::dot(p, arrangement.right), glm::dot(p, arrangement.away));
   };
-  if (setUp.plate) {
-    const Point2 middle{setUp.middle.x, setUp.middle.y};
-    for (const Point2& p : setUp.plate->outline) plan.plate.push_back(turned(p - middle));
-    for (const Point2& p : setUp.plate->posts) plan.posts.push_back(turned(p - middle));
-    plan.postRadius = setUp.plate->postRadius;
+  if (arrangement.plate) {
+    const Point2 middle{arrangement.middle.x, arrangement.middle.y};
+    for (const Point2& p : arrangement.plate->outline) plan.plate.push_back(turned(p - middle));
+    for (const Point2& p : arrangement.plate->posts) plan.posts.push_back(turned(p - middle));
+    plan.postRadius = arrangement.plate->postRadius;
     for (const Point2& p : plan.plate) extend(plan.things, p);
   }
   plan.x = turned({1, 0});

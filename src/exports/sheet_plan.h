@@ -11,8 +11,8 @@
 //               x eye
 #pragma once
 
+#include "exports/arrangement.h"
 #include "exports/page_drawing.h"
-#include "exports/set_up.h"
 #include "exports/silhouette.h"
 
 namespace anamorph {
@@ -36,7 +36,7 @@ struct SheetPlan {
   Point2 x{1, 0}, y{0, 1};                    ///< directions of the mesh files' axes
 };
 
-SheetPlan makeSheetPlan(const SetUp& setUp);
+SheetPlan makeSheetPlan(const Arrangement& arrangement);
 
 /// How much of the page it takes at 1 : `scale`, with or without the eye's place.
 Point2 sizeOnPage(const SheetPlan& plan, double scale, bool withEye);

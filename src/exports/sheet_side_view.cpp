@@ -14,14 +14,14 @@ constexpr double heading = 6, tableStrip = 4, topStrip = 8, sideStrip = 7;  // a
 
 const Pen thin{0.12, ink::faint, {0.6, 0.8}};
 
-std::vector<Point2> flatten(const SetUp& setUp, const PointArray& positions) {
+std::vector<Point2> flatten(const Arrangement& arrangement, const PointArray& positions) {
   std::vector<Point2> points;
-  for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(setUp.sideOf(positions[i]));
+  for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(arrangement.sideOf(positions[i]));
   return points;
 }
 
 // The pixel nearest to the middle of the image in which the mirror shows the sculpture.
-std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, const SetUp& setUp) {
+std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, const Arrangement& arrangement) {
   constexpr int size = 41;
   const Level& level = finished.level;
   const Bvh& sculpture = *finished.sculpture.prepared.bvh;
@@ -37,7 +37,9 @@ std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, cons
       BvhHit hit;
       if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) continue;
       if (!sculpture.closestHit(path.exit, hit)) continue;
-      const auto toSide = [&](const Point& p) { return setUp.sideOf(setUp.millimetresPerUnit * p); };
+      const auto toSide = [&](const Point& p) {
+        return arrangement.sideOf(arrangement.millimetresPerUnit * p);
+      };
       nearest = distance;
       found = {toSide(level.camera.eye), toSide(path.points[0]), toSide(path.exit.at(hit.t))};
     }
@@ -176,14 +178,14 @@ class Drawing {
 
 }  // namespace
 
-SideView makeSideView(const FinishedLevel& finished, const SetUp& setUp) {
+SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangement) {
   SideView view;
-  const std::vector<Point2> mirror = flatten(setUp, setUp.mirrorSurface.positions);
-  const std::vector<Point2> sculpture = flatten(setUp, setUp.sculpture.positions);
+  const std::vector<Point2> mirror = flatten(arrangement, arrangement.mirrorSurface.positions);
+  const std::vector<Point2> sculpture = flatten(arrangement, arrangement.sculpture.positions);
   view.mirror = convexHull(mirror);
-  view.sculpture = makeSilhouette(sculpture, setUp.sculpture.triangles, 600);
-  view.eye = setUp.sideOf(setUp.eye);
-  view.ray = findRay(finished, setUp);
+  view.sculpture = makeSilhouette(sculpture, arrangement.sculpture.triangles, 600);
+  view.eye = arrangement.sideOf(arrangement.eye);
+  view.ray = findRay(finished, arrangement);
   const auto label = [&](const Point2& place, const std::string& name) {
     view.labels.push_back({place, name + " " + formatLength(place.y)});
   };
@@ -192,14 +194,14 @@ SideView makeSideView(const FinishedLevel& finished, const SetUp& setUp) {
   label(*mirrorTop, "mirror, top");
   if (mirrorBottom->y > 0.05) label(*mirrorBottom, "mirror, bottom");
   label(*top, "sculpture, top");
-  if (bottom->y > 0.05 || setUp.plate) label(*bottom, "sculpture, bottom");
+  if (bottom->y > 0.05 || arrangement.plate) label(*bottom, "sculpture, bottom");
   view.box = {glm::min(view.eye, Point2(view.eye.x, 0)), view.eye};
   addBox(view.box, mirror);
   addBox(view.box, sculpture);
-  if (setUp.plate) {
-    const std::vector<Point2> plate = flatten(setUp, setUp.plate->mesh.positions);
+  if (arrangement.plate) {
+    const std::vector<Point2> plate = flatten(arrangement, arrangement.plate->mesh.positions);
     const Point2 lowest = *std::min_element(plate.begin(), plate.end(), isLower);
-    view.plate = makeSilhouette(plate, setUp.plate->mesh.triangles, 600);
+    view.plate = makeSilhouette(plate, arrangement.plate->mesh.triangles, 600);
     if (lowest.y < -0.05) label(lowest, "plate, lower face");
     addBox(view.box, plate);
   }

@@ -29,7 +29,7 @@ struct SideView {
   Rectangle box;
 };
 
-SideView makeSideView(const FinishedLevel& finished, const SetUp& setUp);
+SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangement);
 
 /// Draws it into the area, as large as fits, and says how large that is.
 void drawSideView(Page& page, const SideView& view, const Rectangle& area);

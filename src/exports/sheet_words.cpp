@@ -17,7 +17,7 @@ std::string mm(double millimetres) {
 }
 
 struct DescribeMirror {
-  const SetUp& setUp;
+  const Arrangement& arrangement;
   double bottom;  // above the table
 
   std::string standing(const std::string& how) const {
@@ -45,14 +45,14 @@ struct DescribeMirror {
   }
 };
 
-std::string sculptureText(const SetUp& setUp, double bottom, double top) {
+std::string sculptureText(const Arrangement& arrangement, double bottom, double top) {
   const std::string place = "Over its orange outline, ";
-  if (!setUp.plate) {
+  if (!arrangement.plate) {
     if (bottom <= nothing) return place + "on the table; it is " + mm(top) + " high.";
     return place +
            fmt::format("its lowest point {} and its highest {} above the table.", mm(bottom), mm(top));
   }
-  const double face = setUp.plate->lowerFace - setUp.table;
+  const double face = arrangement.plate->lowerFace - arrangement.table;
   if (face < -nothing) {
     return place + fmt::format(
                        "the lower face of its base plate {} below the table: raise the mirror and the "
@@ -64,9 +64,9 @@ std::string sculptureText(const SetUp& setUp, double bottom, double top) {
 
 }  // namespace
 
-std::vector<SheetStep> makeSheetSteps(const SetUp& setUp, double scale) {
-  const Box mirror = boundingBox(setUp.mirrorSurface.positions);
-  const Box sculpture = boundingBox(setUp.sculpture.positions);
+std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double scale) {
+  const Box mirror = boundingBox(arrangement.mirrorSurface.positions);
+  const Box sculpture = boundingBox(arrangement.sculpture.positions);
   std::vector<SheetStep> steps;
   steps.push_back({"Paper",
                    scale == 1
@@ -74,17 +74,20 @@ std::vector<SheetStep> makeSheetSteps(const SetUp& setUp, double scale) {
                        : "Smaller than life: set up by the figures, which are true lengths in mm.",
                    ink::black});
   steps.push_back(
-      {"Mirror", std::visit(DescribeMirror{setUp, mirror.min.z - setUp.table}, setUp.mirror), ink::blue});
-  steps.push_back({"Sculpture",
-                   sculptureText(setUp, sculpture.min.z - setUp.table, sculpture.max.z - setUp.table),
-                   ink::vermilion});
-  const Point2 eye = setUp.planOf(setUp.eye);
+      {"Mirror",
+       std::visit(DescribeMirror{arrangement, mirror.min.z - arrangement.table}, arrangement.mirror),
+       ink::blue});
+  steps.push_back(
+      {"Sculpture",
+       sculptureText(arrangement, sculpture.min.z - arrangement.table, sculpture.max.z - arrangement.table),
+       ink::vermilion});
+  const Point2 eye = arrangement.planOf(arrangement.eye);
   steps.push_back(
       {"Eye",
        fmt::format("{} above the table, {} from the cross along the centre line. Look with one eye.",
-                   mm(setUp.sideOf(setUp.eye).y), mm(glm::length(eye))),
+                   mm(arrangement.sideOf(arrangement.eye).y), mm(glm::length(eye))),
        ink::black});
-  if (!setUp.onGround) {
+  if (!arrangement.onGround) {
     steps.push_back({"Table", "Its height is that of the lowest point of mirror and sculpture.", ink::black});
   }
   return steps;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "exports/arrangement.h"
 #include "exports/page.h"
-#include "exports/set_up.h"
 
 namespace anamorph {
 
@@ -16,6 +16,6 @@ struct SheetStep {
   Color color{0};
 };
 
-std::vector<SheetStep> makeSheetSteps(const SetUp& setUp, double scale);
+std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double scale);
 
 }  // namespace anamorph

@@ -133,8 +133,9 @@ Choice chooseLargest(const SheetPlan& plan, const Layout& upright, const Layout&
 }
 
 // With the words for the scale; what the plan leaves free goes to the side view.
-Layout finishLayout(const SetUp& setUp, const SheetPlan& plan, const Choice& choice, Paper paper) {
-  const std::vector<SheetStep> steps = makeSheetSteps(setUp, choice.scale);
+Layout finishLayout(const Arrangement& arrangement, const SheetPlan& plan, const Choice& choice,
+                    Paper paper) {
+  const std::vector<SheetStep> steps = makeSheetSteps(arrangement, choice.scale);
   if (choice.across) return layAcross(sizeOf(paper), steps);
   const Layout layout = layUpright(sizeOf(paper), steps);
   const double free = layout.plan.size().y - sizeOnPage(plan, choice.scale, choice.withEye).y;
@@ -155,15 +156,15 @@ std::string scaleName(double scale) {
                   std::floor(room.x), std::floor(room.y)));
 }
 
-void drawHead(Page& page, const SetUp& setUp, double scale, Paper paper) {
+void drawHead(Page& page, const Arrangement& arrangement, double scale, Paper paper) {
   constexpr double titleSize = 5.5;
   const double room = page.width - 2 * margin;
-  std::string title = setUp.title.empty() ? "Viewing sheet" : setUp.title;
+  std::string title = arrangement.title.empty() ? "Viewing sheet" : arrangement.title;
   const double width = textWidth(title, titleSize, true);
   const double size = std::max(3.0, titleSize * std::min(1.0, room / width));
   drawText(page, {{margin, margin + 5.5}, title, size, true, TextAlign::left, false, ink::black});
   const std::string kind = fmt::format("Viewing sheet, scale {}, seen from above. {:g} mm per scene unit.",
-                                       scaleName(scale), setUp.millimetresPerUnit);
+                                       scaleName(scale), arrangement.millimetresPerUnit);
   drawText(page, {{margin, margin + 11}, kind, 3, false, TextAlign::left, false, ink::grey});
   drawText(page, {{page.width - margin, margin + 11},
                   std::string(paperName(paper)) + ", Anamorph",
@@ -191,11 +192,11 @@ const char* paperName(Paper paper) {
   return names[static_cast<int>(paper)];
 }
 
-ViewingSheet makeViewingSheet(const FinishedLevel& finished, const SetUp& setUp, Paper paper,
+ViewingSheet makeViewingSheet(const FinishedLevel& finished, const Arrangement& arrangement, Paper paper,
                               std::optional<double> scale) {
-  const SheetPlan plan = makeSheetPlan(setUp);
+  const SheetPlan plan = makeSheetPlan(arrangement);
   // The words for a smaller scale are the longer ones or as long, so what fits with them fits.
-  const std::vector<SheetStep> steps = makeSheetSteps(setUp, scale.value_or(1));
+  const std::vector<SheetStep> steps = makeSheetSteps(arrangement, scale.value_or(1));
   const Layout upright = layUpright(sizeOf(paper), steps), across = layAcross(sizeOf(paper), steps);
   std::optional<Choice> choice;
   if (scale) {
@@ -204,17 +205,17 @@ ViewingSheet makeViewingSheet(const FinishedLevel& finished, const SetUp& setUp,
   } else {
     choice = chooseLargest(plan, upright, across);
   }
-  const Layout layout = finishLayout(setUp, plan, *choice, paper);
+  const Layout layout = finishLayout(arrangement, plan, *choice, paper);
   ViewingSheet sheet;
   sheet.scale = choice->scale;
   sheet.showsEye = choice->withEye;
   sheet.page.width = layout.width;
   sheet.page.height = layout.height;
-  sheet.page.title = setUp.title + ": viewing sheet";
-  drawHead(sheet.page, setUp, sheet.scale, paper);
+  sheet.page.title = arrangement.title + ": viewing sheet";
+  drawHead(sheet.page, arrangement, sheet.scale, paper);
   drawSheetPlan(sheet.page, plan, layout.plan, sheet.scale, sheet.showsEye);
   drawWords(sheet.page, layout.text, layout.words.min);
-  drawSideView(sheet.page, makeSideView(finished, setUp), layout.side);
+  drawSideView(sheet.page, makeSideView(finished, arrangement), layout.side);
   drawFoot(sheet.page);
   return sheet;
 }

@@ -1,4 +1,4 @@
-#include "exports/set_up.h"
+#include "exports/arrangement.h"
 
 #include <algorithm>
 
@@ -44,45 +44,47 @@ MirrorShape scaleMirror(const MirrorShape& shape, double factor) {
   return std::visit(ScaleMirror{factor}, shape);
 }
 
-Point2 SetUp::planOf(const Point& p) const {
+Point2 Arrangement::planOf(const Point& p) const {
   const Point2 way = flat(p - middle);
   return {glm::dot(way, right), glm::dot(way, away)};
 }
 
-Point2 SetUp::sideOf(const Point& p) const {
+Point2 Arrangement::sideOf(const Point& p) const {
   return {planOf(p).y, p.z - table};
 }
 
-SetUp makeSetUp(const FinishedLevel& finished, double millimetresPerUnit,
-                const std::optional<BasePlateSettings>& plate) {
+Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPerUnit,
+                            const std::optional<BasePlateSettings>& plate) {
   const Level& level = finished.level;
-  SetUp setUp;
-  setUp.title = level.title;
-  setUp.millimetresPerUnit = millimetresPerUnit;
-  setUp.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
-  setUp.mirrorSurface = tessellate(setUp.mirror);
-  setUp.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
-  setUp.eye = millimetresPerUnit * level.camera.eye;
-  setUp.middle = middleOf(setUp.mirror);
-  setUp.away = headingOf(setUp.eye, setUp.middle, millimetresPerUnit * level.camera.target);
-  setUp.right = {setUp.away.y, -setUp.away.x};
-  const Box mirrorBox = boundingBox(setUp.mirrorSurface.positions);
-  const Box sculptureBox = boundingBox(setUp.sculpture.positions);
-  setUp.table = millimetresPerUnit * level.ground.height;
+  Arrangement arrangement;
+  arrangement.title = level.title;
+  arrangement.millimetresPerUnit = millimetresPerUnit;
+  arrangement.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
+  arrangement.mirrorSurface = tessellate(arrangement.mirror);
+  arrangement.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
+  arrangement.eye = millimetresPerUnit * level.camera.eye;
+  arrangement.middle = middleOf(arrangement.mirror);
+  arrangement.away = headingOf(arrangement.eye, arrangement.middle, millimetresPerUnit * level.camera.target);
+  arrangement.right = {arrangement.away.y, -arrangement.away.x};
+  const Box mirrorBox = boundingBox(arrangement.mirrorSurface.positions);
+  const Box sculptureBox = boundingBox(arrangement.sculpture.positions);
+  arrangement.table = millimetresPerUnit * level.ground.height;
   const double lowest = std::min(mirrorBox.min.z, sculptureBox.min.z);
-  if (lowest < setUp.table - levelTolerance * (mirrorBox.diagonal() + sculptureBox.diagonal())) {
-    setUp.table = lowest;
-    setUp.onGround = false;
+  if (lowest < arrangement.table - levelTolerance * (mirrorBox.diagonal() + sculptureBox.diagonal())) {
+    arrangement.table = lowest;
+    arrangement.onGround = false;
   }
-  if (plate) setUp.plate = makeBasePlate(setUp.sculpture, setUp.mirrorSurface, setUp.table, *plate);
-  return setUp;
+  if (plate)
+    arrangement.plate =
+        makeBasePlate(arrangement.sculpture, arrangement.mirrorSurface, arrangement.table, *plate);
+  return arrangement;
 }
 
-double shareHiddenByPlate(const FinishedLevel& finished, const SetUp& setUp) {
-  if (!setUp.plate) return 0;
+double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
+  if (!arrangement.plate) return 0;
   constexpr int size = 160;  // pixels
-  const auto toScene = [&](const Point& p) { return p / setUp.millimetresPerUnit; };
-  const Bvh plate(mapPoints(setUp.plate->mesh.positions, toScene), setUp.plate->mesh.triangles);
+  const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
+  const Bvh plate(mapPoints(arrangement.plate->mesh.positions, toScene), arrangement.plate->mesh.triangles);
   const Bvh& sculpture = *finished.sculpture.prepared.bvh;
   const Level& level = finished.level;
   const auto [width, height] = pictureSize(level.camera, size);

@@ -18,7 +18,7 @@ namespace anamorph {
 
 using Point2 = glm::dvec2;
 
-struct SetUp {
+struct Arrangement {
   std::string title;
   double millimetresPerUnit = 1;
   MirrorShape mirror;
@@ -39,12 +39,12 @@ struct SetUp {
 };
 
 /// Throws Error when the lengths become too large, or when no base plate can be made.
-SetUp makeSetUp(const FinishedLevel& finished, double millimetresPerUnit,
-                const std::optional<BasePlateSettings>& plate = {});
+Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPerUnit,
+                            const std::optional<BasePlateSettings>& plate = {});
 
 /// The share of the image's pixels with a reflection of the sculpture that the base plate hides, seen by the
 /// RT camera: it stands before the mirror, or between mirror and sculpture. 0 without a plate.
-double shareHiddenByPlate(const FinishedLevel& finished, const SetUp& setUp);
+double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement);
 
 /// In millimetres.
 MirrorShape scaleMirror(const MirrorShape& shape, double factor);
