@@ -9,7 +9,7 @@
 namespace anamorph {
 namespace {
 
-constexpr std::size_t grain = 256, batch = 256 * grain;
+constexpr std::size_t grain = 256, batch = 32 * grain;
 
 TriangleCornerPoints cornersOf(const Mesh& mesh, std::uint32_t triangle) {
   const Triangle& t = mesh.triangles[triangle];

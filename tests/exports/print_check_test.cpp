@@ -250,7 +250,7 @@ TEST(PrintCheck, IsTheSameForEveryThreadCountAndStopsWhenCancelled) {
 
 TEST(PrintCheck, StopsCountingAtItsLimitAndSaysMore) {
   Random random(5);
-  const Mesh soup = makeSoup(random, 70000, 1, 0.2);
+  const Mesh soup = makeSoup(random, 20000, 1, 0.1);
   PrintCheckLimits limits;
   limits.maxCrossings = 1000;
   limits.wallSamples = 64;
