@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "optics/mistakes.h"
 #include "optics/optic.h"
 
 namespace anamorph {
@@ -22,7 +23,7 @@ struct MappedPoints {
 /// mapPoint for every vertex, in order; identical to it for every thread count. `result` is reused: no memory
 /// is taken when it has the right size already.
 void mapPointsThrough(const Optic& optic, const Point& eye, const PointArray& original, double depthScale,
-                      MappedPoints& result, int threads = 1);
+                      MappedPoints& result, int threads = 1, const Mistakes& mistakes = {});
 
 StatusCounts countStatus(const std::vector<PathStatus>& status);
 

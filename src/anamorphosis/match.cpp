@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <optional>
 
@@ -10,7 +11,7 @@
 namespace anamorph {
 namespace {
 
-// A hit on the sculpture by way of the mirror.
+// A hit on the sculpture by way of the mirror; without a mirror, seen directly.
 struct ReflectedHit {
   std::uint32_t sourceTriangle;
   Point original;
@@ -22,12 +23,13 @@ struct PixelResult {
   bool sameTriangle = false;
 };
 
-// The same triangle, or one that shares an edge with it. Corners at the same place are the same, so that it works
-// across texture seams, where files repeat positions.
+// The same triangle, or one that shares an edge with it. Corners at the same place are the same, so that it
+// works across texture seams, where files repeat positions.
 bool touch(const PointArray& points, const Triangle& a, const Triangle& b) {
   const auto shared = std::count_if(a.begin(), a.end(), [&](std::uint32_t corner) {
-    return std::any_of(b.begin(), b.end(),
-                       [&](std::uint32_t other) { return corner == other || points[corner] == points[other]; });
+    return std::any_of(b.begin(), b.end(), [&](std::uint32_t other) {
+      return corner == other || points[corner] == points[other];
+    });
   });
   return shared >= 2;
 }
@@ -40,14 +42,19 @@ class Matcher {
   PixelResult pixel(int x, int y) const {
     const Pixel sample = matchSample(x, y);
     const Ray ray = projection_.rayThrough(sample);
-    BvhHit direct;
-    const bool seesOriginal = input_.originalBvh->closestHit(ray, direct);
+    BvhHit first;
+    const bool seesOriginal = input_.originalBvh->closestHit(ray, first);
 
     const OpticPath path = followRay(input_.optic, ray);
     const bool meetsMirror = path.pointCount > 0;
-    const bool hidden = meetsMirror && sculptureStandsInTheWay(path);
+    const bool direct = input_.optic.kind == OpticKind::none;
+    const bool hidden = !direct && meetsMirror && sculptureStandsInTheWay(path);
     std::optional<ReflectedHit> reflected;
-    if (meetsMirror && !hidden) reflected = followExit(path);
+    if (direct) {
+      reflected = sculptureAlong(ray);
+    } else if (meetsMirror && !hidden) {
+      reflected = sculptureAlong(path.exit, freeLength(input_.optic, path));
+    }
 
     PixelResult result;
     if (seesOriginal && reflected) {
@@ -56,8 +63,8 @@ class Matcher {
       const double error = seenAt ? glm::length(*seenAt - sample) : worstError();
       result.errorPx = static_cast<float>(std::min(error, worstError()));
       const auto& triangles = input_.original->triangles;
-      result.sameTriangle = touch(input_.original->positions, triangles[direct.triangle],
-                                  triangles[reflected->sourceTriangle]);
+      result.sameTriangle =
+          touch(input_.original->positions, triangles[first.triangle], triangles[reflected->sourceTriangle]);
     } else if (seesOriginal) {
       result.kind = !meetsMirror ? PixelClass::missed
                     : hidden     ? PixelClass::hidden
@@ -81,10 +88,10 @@ class Matcher {
     return false;
   }
 
-  std::optional<ReflectedHit> followExit(const OpticPath& path) const {
+  std::optional<ReflectedHit> sculptureAlong(const Ray& ray,
+                                             double length = std::numeric_limits<double>::infinity()) const {
     BvhHit hit;
-    if (!input_.sculptureBvh->closestHit(path.exit, hit, 0, freeLength(input_.optic, path)))
-      return std::nullopt;
+    if (!input_.sculptureBvh->closestHit(ray, hit, 0, length)) return std::nullopt;
     const Sculpture& s = *input_.sculpture;
     const Triangle& t = s.mesh.triangles[hit.triangle];
     const Point original =

@@ -6,8 +6,8 @@
 //   first part)
 //
 // A reflected hit lies on a sculpture triangle, so at a known point of the original: where the camera would
-// see that point is where it should be. Nothing here knows how the sculpture was made, so no mistake of the
-// map can hide.
+// see that point is where it should be. Without a mirror the sculpture is seen directly. Nothing here knows
+// how the sculpture was made, so no mistake of the map can hide.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,8 @@ bool allMapped(const Triangle& t, const std::vector<PathStatus>& status) {
 Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   const Mesh& mesh = *input.original;
   MappedPoints mapped;
-  mapPointsThrough(input.optic, input.camera.eye, mesh.positions, input.depthScale, mapped, threads);
+  mapPointsThrough(input.optic, input.camera.eye, mesh.positions, input.depthScale, mapped, threads,
+                   input.mistakes);
   Sculpture sculpture;
   sculpture.mesh.positions = std::move(mapped.points);
   sculpture.status = std::move(mapped.status);
@@ -72,7 +73,7 @@ Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, bool r
 }  // namespace
 
 Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& progress) {
-  if (!(input.tolerancePixels > 0)) return mapOwnVertices(input, threads);
+  if (!(input.tolerancePixels > 0) || input.mistakes.any()) return mapOwnVertices(input, threads);
   const WeldedMesh welded = weldPositions(*input.original);
   const Refinement refinement = refine(welded.mesh, input, threads, progress);
   if (progress.cancelled()) return {};
@@ -84,9 +85,9 @@ Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& p
 }
 
 void remapSculpture(const Optic& optic, const Point& eye, double depthScale, const PointArray& original,
-                    Sculpture& sculpture, int threads) {
+                    Sculpture& sculpture, int threads, const Mistakes& mistakes) {
   MappedPoints mapped{std::move(sculpture.mesh.positions), std::move(sculpture.status)};
-  mapPointsThrough(optic, eye, original, depthScale, mapped, threads);
+  mapPointsThrough(optic, eye, original, depthScale, mapped, threads, mistakes);
   sculpture.mesh.positions = std::move(mapped.points);
   sculpture.status = std::move(mapped.status);
   sculpture.original = original;

@@ -24,6 +24,7 @@ struct DeformInput {
   double depthScale = 1;               ///< k
   double tolerancePixels = 0.25;       ///< 0: the original's own vertices
   std::size_t maxTriangles = 2000000;  ///< refinement stops there
+  Mistakes mistakes;                   ///< with any the original's own vertices are used
 
   bool operator==(const DeformInput&) const = default;
 };
@@ -55,6 +56,6 @@ Sculpture makeSculpture(const DeformInput& input, int threads = 1, const Progres
 /// eye or depth scale, the original's points given for every vertex. Triangles stay, so corners that are not
 /// mapped any more are left at their original's place with their status telling so.
 void remapSculpture(const Optic& optic, const Point& eye, double depthScale, const PointArray& original,
-                    Sculpture& sculpture, int threads = 1);
+                    Sculpture& sculpture, int threads = 1, const Mistakes& mistakes = {});
 
 }  // namespace anamorph

@@ -8,6 +8,7 @@
 //         E   S
 #pragma once
 
+#include "optics/mistakes.h"
 #include "optics/optic.h"
 
 namespace anamorph {
@@ -25,13 +26,16 @@ struct VertexRay {
 };
 
 /// The vertex ray of `original` with everything that a student is shown of it.
-VertexRay makeVertexRay(const Optic& optic, const Point& eye, const Point& original, double depthScale);
+/// With mistakes: what the published formulas make of it.
+VertexRay makeVertexRay(const Optic& optic, const Point& eye, const Point& original, double depthScale,
+                        const Mistakes& mistakes = {});
 
 /// Only where the vertex goes, and what became of it. Not mapped: the original point itself.
 struct MappedPoint {
   Point point;
   PathStatus status;
 };
-MappedPoint mapPoint(const Optic& optic, const Point& eye, const Point& original, double depthScale);
+MappedPoint mapPoint(const Optic& optic, const Point& eye, const Point& original, double depthScale,
+                     const Mistakes& mistakes = {});
 
 }  // namespace anamorph

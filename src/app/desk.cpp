@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "app/fonts.h"
+#include "app/languages.h"
 #include "base/error.h"
 #include "base/resources.h"
 #include "gl/load_gl.h"
@@ -72,6 +73,7 @@ Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
   viewport_ = std::make_unique<Viewport>();
   ui_.preferences = preferences;
   ui_.levels = listLevels();
+  ui_.languages = listLanguages();
   loadThumbnails();
 }
 
@@ -107,14 +109,26 @@ void Desk::loadThumbnails() {
   }
 }
 
+void Desk::refreshLanguage() {
+  if (language_ == ui_.preferences.language) return;
+  language_ = ui_.preferences.language;
+  try {
+    chooseLanguage(*language_);
+  } catch (const Error& error) {
+    work_->message = error.what();
+  }
+}
+
 void Desk::refreshStyle() {
   const Preferences& p = ui_.preferences;
   ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
-  if (ui_.scale == styleScale_ && p.theme == styleTheme_ && ImGui::GetIO().Fonts->IsBuilt()) return;
+  const bool asBefore =
+      ui_.scale == styleScale_ && p.theme == styleTheme_ && ui_.presenting == (ui_.fonts.huge != nullptr);
+  if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
   styleScale_ = ui_.scale;
   styleTheme_ = p.theme;
   applyStyle(p.theme, ui_.scale);
-  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale));
+  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale), ui_.presenting);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -162,6 +176,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
+  refreshLanguage();
   refreshStyle();
   const auto start = std::chrono::steady_clock::now();
   const UiTextures shown = ui_.textures;
@@ -172,6 +187,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   });
   if (auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
   times_.advance = timed([&] { advance(*work_, seconds); });
+  ViewInputMaker::stepRays(*work_);
   const double length = ViewInputMaker::animationSeconds(*work_);
   if (work_->rays.animate && !work_->rays.loop && work_->animationSeconds > length) {
     work_->animationSeconds = length;

@@ -62,6 +62,7 @@ class Desk {
   void setScreenScale(double scale) { screenScale_ = scale; }
 
  private:
+  void refreshLanguage();
   void refreshStyle();
   void refreshTextures();
   void loadThumbnails();
@@ -80,6 +81,7 @@ class Desk {
   double screenScale_ = 1;
   double styleScale_ = 0;
   Theme styleTheme_ = Theme::dark;
+  std::optional<std::string> language_;  // that is in force
   bool transparent_ = false;
   bool software_;
   bool fine_ = false;  // the view was last drawn in its final quality

@@ -13,6 +13,8 @@ namespace {
 constexpr ImWchar ranges[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2000, 0x206f, 0x2190,
                               0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
 
+constexpr ImWchar fewRanges[] = {0x20, 0x17f, 0x391, 0x3c9, 0x2010, 0x2026, 0};
+
 // The file of a font of exactly this family; fontconfig always offers something, which may lack what is
 // needed.
 std::optional<std::string> findFont(const char* family, bool bold) {
@@ -36,14 +38,14 @@ std::optional<std::string> findFont(const char* family, bool bold) {
   return file;
 }
 
-ImFont* addFont(const std::optional<std::string>& file, double pixels) {
+ImFont* addFont(const std::optional<std::string>& file, double pixels, const ImWchar* glyphs = ranges) {
   if (!file) return nullptr;
-  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file->c_str(), static_cast<float>(pixels), nullptr, ranges);
+  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file->c_str(), static_cast<float>(pixels), nullptr, glyphs);
 }
 
 }  // namespace
 
-Fonts loadFonts(double pixels) {
+Fonts loadFonts(double pixels, bool huge) {
   static const std::optional<std::string> regular = findFont("DejaVu Sans", false),
                                           bold = findFont("DejaVu Sans", true);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -55,9 +57,11 @@ Fonts loadFonts(double pixels) {
   if (!fonts.text) {
     ImFontConfig config;
     config.SizePixels = static_cast<float>(pixels);
-    atlas.AddFontDefault(&config);
-    return {};
+    fonts.text = atlas.AddFontDefault(&config);
+    fonts.huge = huge ? fonts.text : nullptr;
+    return fonts;
   }
+  if (huge) fonts.huge = addFont(regular, 1.75 * pixels, fewRanges);
   return fonts;
 }
 

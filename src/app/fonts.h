@@ -6,7 +6,8 @@
 
 namespace anamorph {
 
-/// Puts the fonts into the current Dear ImGui context, `pixels` high. The caller makes the texture.
-Fonts loadFonts(double pixels);
+/// Puts the fonts into the current Dear ImGui context, `pixels` high; the huge one only when asked for,
+/// because its letters take much room. The caller makes the texture.
+Fonts loadFonts(double pixels, bool huge);
 
 }  // namespace anamorph

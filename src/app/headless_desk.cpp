@@ -54,8 +54,9 @@ HeadlessContext::HeadlessContext() : parts_(std::make_unique<Parts>()) {
 
 HeadlessContext::~HeadlessContext() = default;
 
-HeadlessDesk::HeadlessDesk(int width, int height, Preferences preferences, int threads)
-    : desk_(std::make_unique<Desk>(preferences, nullptr, threads)) {
+HeadlessDesk::HeadlessDesk(int width, int height, Preferences preferences, int threads) {
+  if (preferences.language.empty()) preferences.language = "en";  // the same picture on every machine
+  desk_ = std::make_unique<Desk>(preferences, nullptr, threads);
   desk_->ui().headless = true;
   resize(width, height);
   moveMouse(-FLT_MAX, -FLT_MAX);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/languages.h"
 #include "app/preferences.h"
 #include "app/window.h"
 #include "level/level_json.h"
@@ -17,10 +18,11 @@ MoreCommands windowCommands() {
 
 void addOpenCommand(CLI::App& app, CommonOptions&) {
   struct Options {
-    std::string level = "1-plane", theme, stateLog;
+    std::string level = "1-plane", theme, language, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
-    bool fullscreen = false;
+    std::size_t step = 0;
+    bool fullscreen = false, present = false, noTour = false;
   };
   CLI::App* command = app.add_subcommand("open", "Open the window (also without the word: anamorph LEVEL)");
   const auto options = std::make_shared<Options>();
@@ -32,17 +34,28 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->add_option("--ui-scale", options->uiScale,
                    "Size of text and controls, 0.75 to 3 (default: as the screen says)")
       ->check(numberFrom(0.75, 3));
+  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default: as the system)");
   addSizeOption(*command, options->size);
   command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
+  command->add_option("--step", options->step, "The step of the lesson to begin with, from 1 on")
+      ->check(numberFrom(1, 100));
+  command->add_flag("--present", options->present,
+                    "The step in large letters and a mark around the mouse, for an audience (F3)");
+  command->add_flag("--no-tour", options->noTour, "Do not show newcomers around");
   command->add_option("--log-state", options->stateLog, "A file that gets a JSON line for every frame")
       ->group("");  // for tests and demonstrations: not in the help
   command->callback([options] {
     WindowOptions window;
     window.level = findLevel(options->level);
     loadLevel(window.level);  // an Error comes before a window does
+    if (!options->language.empty()) chooseLanguage(options->language);
+    window.language = options->language;
     window.theme = findTheme(options->theme);
     if (options->uiScale > 0) window.uiScale = options->uiScale;
     window.fullscreen = options->fullscreen;
+    window.step = options->step;
+    window.present = options->present;
+    window.tour = !options->noTour;
     window.width = options->size.first;
     window.height = options->size.second;
     window.stateLog = options->stateLog;

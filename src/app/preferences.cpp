@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -9,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "level/json.h"
+#include "level/json_object.h"
 
 namespace anamorph {
 namespace {
@@ -58,10 +59,15 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
       }
       p.theme = found.value_or(p.theme);
     }
+    if (const JsonValue* language = find(json, "language");
+        language && language->kind == JsonValue::Kind::string) {
+      p.language = language->text;
+    }
     read(json, "uiScale", p.uiScale, 0, 3);
     if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, 0.75);
     read(json, "vrtKeys", p.vrtKeys);
     read(json, "legend", p.legend);
+    read(json, "tourSeen", p.tourSeen);
     read(json, "leftWidth", p.leftWidth, 180, 600);
     read(json, "rightWidth", p.rightWidth, 240, 900);
     read(json, "previewHeight", p.previewHeight, 220, 1400);
@@ -75,12 +81,18 @@ void savePreferences(const fs::path& path, const Preferences& p) {
   std::error_code failure;
   fs::create_directories(path.parent_path(), failure);
   if (failure) throw Error("cannot make the folder: " + failure.message(), path.parent_path().string());
-  writeFile(
-      path,
-      fmt::format("{{\n  \"theme\": \"{}\",\n  \"uiScale\": {},\n  \"vrtKeys\": {},\n  \"legend\": {},\n"
-                  "  \"leftWidth\": {:.0f},\n  \"rightWidth\": {:.0f},\n  \"previewHeight\": {:.0f}\n}}\n",
-                  themeName(p.theme), p.uiScale, p.vrtKeys, p.legend, p.leftWidth, p.rightWidth,
-                  p.previewHeight));
+  writeFile(path, formatJson(JsonObject()
+                                 .add("theme", std::string(themeName(p.theme)))
+                                 .add("language", p.language)
+                                 .add("uiScale", p.uiScale)
+                                 .add("vrtKeys", p.vrtKeys)
+                                 .add("legend", p.legend)
+                                 .add("tourSeen", p.tourSeen)
+                                 .add("leftWidth", std::round(p.leftWidth))
+                                 .add("rightWidth", std::round(p.rightWidth))
+                                 .add("previewHeight", std::round(p.previewHeight))
+                                 .value()) +
+                      "\n");
 }
 
 const char* themeName(Theme theme) {

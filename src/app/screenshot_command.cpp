@@ -10,20 +10,26 @@
 
 #include "app/commands.h"
 #include "app/headless_desk.h"
+#include "app/languages.h"
 #include "app/preferences.h"
 #include "base/error.h"
 #include "cli/input.h"
 #include "cli/usage_error.h"
 #include "level/level_library.h"
+#include "panels/actions.h"
+#include "panels/lesson_text.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
 
 struct ScreenshotOptions {
-  std::string level, output, theme = "dark", select, pixel, tab;
+  std::string level, output, theme = "dark", language = "en", select, pixel, tab;
   std::pair<int, int> size{1280, 800};
   double uiScale = 1, morph = 1;
+  std::size_t step = 0;
+  int tour = 0;
+  bool present = false, help = false, progress = false, showMe = false;
   bool noPanels = false, transparent = false, lookThrough = false;
   std::optional<std::uint32_t> vertex;
 };
@@ -67,6 +73,12 @@ void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
   work.display.morph = options.morph;
   ui.panelsHidden = options.noPanels;
   if (options.lookThrough) toggleLookThrough(work);
+  advanceLesson(work);
+  if (options.step > 0) openStep(work, options.step - 1);
+  if (options.present) perform(Action::present, work, ui);
+  if (options.help) perform(Action::help, work, ui);
+  if (options.progress) perform(Action::progress, work, ui);
+  if (options.tour > 0) ui.tourCard = options.tour - 1;
 }
 
 // The picture was drawn over nothing: colours have been multiplied by alpha.
@@ -99,12 +111,18 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   Preferences preferences;
   preferences.theme = findTheme(options.theme).value_or(Theme::dark);
   preferences.uiScale = options.uiScale;
+  preferences.language = options.language;
+  chooseLanguage(options.language);  // an Error comes before the work
   HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
   Desk& desk = headless.desk();
   desk.open(level);
   desk.setTransparent(options.transparent);
   arrange(desk.work(), desk.ui(), options);
   headless.settle();
+  if (options.showMe) {
+    showStep(desk.work(), desk.ui());
+    headless.settle();
+  }
   if (options.vertex) {
     pickVertex(desk.work(), *options.vertex);
     headless.settle();
@@ -132,6 +150,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
       ->check(numberFrom(0.75, 3));
   command->add_option("--theme", options->theme, "dark, light or projector (default dark)")
       ->check(CLI::IsMember({"dark", "light", "projector"}));
+  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default en)");
   command->add_flag("--no-panels", options->noPanels, "Only the 3D view");
   command->add_flag("--transparent", options->transparent, "No background and no ground: transparent there");
   command->add_flag("--look-through", options->lookThrough, "Seen through the RT camera");
@@ -143,6 +162,13 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
                       "The original's vertex whose construction is shown");
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
       ->check(CLI::IsMember({"reflection", "original", "difference", "wipe"}));
+  command->add_option("--step", options->step, "The step of the lesson that is open, from 1 on")
+      ->check(numberFrom(1, 100));
+  command->add_flag("--show-me", options->showMe, "After the move that the step shows");
+  command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
+  command->add_flag("--help-window", options->help, "With the help window");
+  command->add_flag("--progress-window", options->progress, "With points and badges");
+  command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberFrom(1, 5));
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
       ->check(numberFrom(0, 1));
   addCommonOptions(*command, common);

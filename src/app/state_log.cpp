@@ -78,6 +78,11 @@ std::string stateLine(Desk& desk, std::size_t frame) {
           .add("scale", ui.scale)
           .add("panelsHidden", ui.panelsHidden)
           .add("helpOpen", ui.helpOpen)
+          .add("lesson", work.lesson.lesson.id)
+          .add("step", work.lesson.step)
+          .add("stepDone", work.lesson.done)
+          .add("presenting", ui.presenting)
+          .add("tourCard", double(ui.tourCard))
           .add("message", work.message)
           .value());
 }

@@ -1,6 +1,8 @@
 #include "app/view_input.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "panels/style.h"
 #include "viewport/camera_lines.h"
@@ -74,6 +76,29 @@ double ViewInputMaker::animationSeconds(const Workspace& work) {
       break;
   }
   return 0;
+}
+
+void ViewInputMaker::stepRays(Workspace& work) {
+  const int step = std::exchange(work.rayStep, 0);
+  if (step == 0 || !work.rays.show) return;
+  // Step by step makes sense one ray after the other only.
+  if (!work.rays.animate || !work.rays.sequential) work.animationSeconds = 0;
+  work.rays.animate = work.rays.sequential = work.animationPaused = true;
+  const Products& products = work.studio.products();
+  std::vector<double> stops{0};
+  if (shownRays(work) == Shown::trees) stops = treeAnimationStops(*products.trees, work.rays, treeOf(work));
+  if (shownRays(work) == Shown::vertices) {
+    stops = vertexRayAnimationStops(products.level, *products.original.mesh, work.rays);
+  }
+  constexpr double same = 1e-6;
+  const double now = playTime(work);
+  if (step > 0) {
+    const auto next = std::upper_bound(stops.begin(), stops.end(), now + same);
+    work.animationSeconds = next == stops.end() ? stops.back() : *next;
+  } else {
+    const auto next = std::lower_bound(stops.begin(), stops.end(), now - same);
+    work.animationSeconds = next == stops.begin() ? 0 : *(next - 1);
+  }
 }
 
 ViewportInput ViewInputMaker::make(Workspace& work, const UiState& ui, bool transparent) {

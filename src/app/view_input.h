@@ -13,6 +13,8 @@ class ViewInputMaker {
 
   /// Seconds that the rays' animation takes from start to end; 0 when nothing is animated.
   static double animationSeconds(const Workspace& work);
+  /// Takes the step that work.rayStep asks for: pauses the animation where the next or the last piece ends.
+  static void stepRays(Workspace& work);
 
  private:
   std::shared_ptr<const std::vector<Line>> lines_;  // the last ones: the same lines keep their pointer

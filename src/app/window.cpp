@@ -17,6 +17,7 @@
 
 #include "app/desk.h"
 #include "app/preferences.h"
+#include "app/progress_file.h"
 #include "app/state_log.h"
 #include "base/error.h"
 #include "gl/load_gl.h"
@@ -29,7 +30,8 @@ namespace {
 static_assert(keys::escape == GLFW_KEY_ESCAPE && keys::tab == GLFW_KEY_TAB && keys::home == GLFW_KEY_HOME &&
               keys::pageUp == GLFW_KEY_PAGE_UP && keys::pageDown == GLFW_KEY_PAGE_DOWN &&
               keys::f1 == GLFW_KEY_F1 && keys::f12 == GLFW_KEY_F12 && keys::pad0 == GLFW_KEY_KP_0 &&
-              keys::space == GLFW_KEY_SPACE && keys::shift == GLFW_MOD_SHIFT &&
+              keys::space == GLFW_KEY_SPACE && keys::f3 == GLFW_KEY_F3 && keys::left == GLFW_KEY_LEFT &&
+              keys::right == GLFW_KEY_RIGHT && keys::alt == GLFW_MOD_ALT && keys::shift == GLFW_MOD_SHIFT &&
               keys::control == GLFW_MOD_CONTROL);
 
 constexpr double livelySeconds = 0.8;  // after an event: tooltips appear, hover colours change
@@ -122,7 +124,12 @@ class MainWindow {
     desk_ = std::make_unique<Desk>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
+    std::string broken;
+    savedProgress_ = loadProgress(progressPath(), broken);
+    desk_->work().progress = savedProgress_;
     desk_->open(options.level);
+    if (!broken.empty()) desk_->work().message = broken;
+    start(options);
     if (options.fullscreen) toggleFullscreen();
   }
   ~MainWindow() {
@@ -185,7 +192,28 @@ class MainWindow {
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
     if (std::exchange(requests.screenshot, false)) takeScreenshot();
+    keepProgress();
     if (!(desk_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
+  }
+
+  void start(const WindowOptions& options) {
+    Workspace& work = desk_->work();
+    advanceLesson(work);  // takes the lesson up
+    if (options.step > 0) openStep(work, options.step - 1);
+    if (options.present) perform(Action::present, work, desk_->ui());
+    if (options.tour && !options.present && !desk_->ui().preferences.tourSeen) {
+      perform(Action::tour, work, desk_->ui());
+    }
+  }
+
+  void keepProgress() {
+    if (desk_->work().progress == savedProgress_) return;
+    savedProgress_ = desk_->work().progress;
+    try {
+      saveProgress(progressPath(), savedProgress_);
+    } catch (const Error& error) {
+      desk_->work().message = error.what();
+    }
   }
 
   void keepPreferences() {
@@ -293,6 +321,7 @@ class MainWindow {
   StateLog stateLog_;
   WindowHandle handle_;
   Preferences saved_;
+  LessonProgress savedProgress_;
   std::unique_ptr<Desk> desk_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
@@ -307,6 +336,7 @@ void runWindow(const WindowOptions& options) {
   std::string message;
   Preferences preferences = loadPreferences(preferencesPath(), message);
   if (options.theme) preferences.theme = *options.theme;
+  if (!options.language.empty()) preferences.language = options.language;
   if (options.uiScale) preferences.uiScale = *options.uiScale;
   if (!message.empty()) fmt::print(stderr, "{}\n", message);
   MainWindow(options, preferences).run();

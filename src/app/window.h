@@ -12,9 +12,13 @@ namespace anamorph {
 struct WindowOptions {
   std::filesystem::path level;
   std::optional<Theme> theme;
+  std::string language;  ///< empty: as in the preferences
   std::optional<double> uiScale;
   bool fullscreen = false;
   int width = 1280, height = 800;
+  std::size_t step = 0;            ///< of the lesson that is opened, from 1 on; 0: where the student left off
+  bool present = false;            ///< in large letters for an audience
+  bool tour = true;                ///< show newcomers around
   std::filesystem::path stateLog;  ///< state_log.h; empty: none
 };
 

@@ -57,6 +57,15 @@ double freeWay(const Optic& optic, const VertexRay& ray, double wanted) {
   return std::isfinite(way) ? std::min(way, wanted) : wanted;
 }
 
+double angleOut(const VertexRay& ray) {
+  return degrees(std::acos(std::clamp(glm::dot(ray.normal, ray.reflected), -1.0, 1.0)));
+}
+
+// False only where the published formulas are at work.
+bool anglesAreEqual(const VertexRay& ray) {
+  return std::abs(angleOut(ray) - ray.angleDegrees) < 0.05;
+}
+
 void addReflection(Construction& made, const Optic& optic, double depthScale) {
   const VertexRay& ray = made.ray;
   const bool mapped = ray.status == PathStatus::mapped;
@@ -81,10 +90,40 @@ void addMirrorPoint(Construction& made, const Optic& optic, double depthScale) {
   made.points.push_back({ray.mirror, "Q"});
   made.points.push_back({ray.mirror + length * ray.normal, "N"});
   if (ray.status == PathStatus::inFrontOfMirror) return;  // the ray ends at P, before it is reflected
-  const std::string text = "α = " + angleText(ray.angleDegrees);
-  if (toEye > 0) made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, back / toEye, ray.normal, text));
-  made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, ray.normal, ray.reflected, text));
+  const bool equal = anglesAreEqual(ray);
+  const std::string in = "α = " + angleText(ray.angleDegrees);
+  const std::string out = equal ? in : "β = " + angleText(angleOut(ray));
+  if (toEye > 0) made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, back / toEye, ray.normal, in));
+  made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, ray.normal, ray.reflected, out));
   addReflection(made, optic, depthScale);
+}
+
+// The one line of sight, as far as something lies on it.
+void addSight(Construction& made, double depthScale) {
+  const VertexRay& ray = made.ray;
+  const bool mapped = ray.status == PathStatus::mapped;
+  Point far = ray.original;
+  for (const Point& p : {ray.mirror, mapped ? ray.sculpture : ray.original}) {
+    if (glm::length(p - ray.eye) > glm::length(far - ray.eye)) far = p;
+  }
+  made.segments.push_back({ray.eye, far, Kind::incident});
+  made.points.push_back({ray.mirror, "Q"});
+  made.distances.push_back({0.5 * (ray.mirror + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  if (!mapped) return;
+  made.points.push_back({ray.sculpture, "S"});
+  made.segments.push_back({ray.mirror, ray.sculpture, Kind::reflected});
+  made.distances.push_back(
+      {0.5 * (ray.mirror + ray.sculpture), fmt::format("k·d = {:.2f}", depthScale * ray.distance)});
+}
+
+void addSightRows(Construction& made, double depthScale) {
+  const VertexRay& ray = made.ray;
+  made.rows = {{"E  eye", pointText(ray.eye)},
+               {"P  original vertex", pointText(ray.original)},
+               {"Q  on the canvas", pointText(ray.mirror)},
+               {"d = |PQ|", fmt::format("{:.3f}", ray.distance)},
+               {"k  depth scale", fmt::format("{:.3f}", depthScale)}};
+  if (ray.status == PathStatus::mapped) made.rows.push_back({"S = Q + k (P - Q)", pointText(ray.sculpture)});
 }
 
 void addRows(Construction& made, bool meetsMirror, double depthScale) {
@@ -100,7 +139,12 @@ void addRows(Construction& made, bool meetsMirror, double depthScale) {
     add("N  normal at Q", directionText(ray.normal));
   }
   if (meetsMirror && ray.status != PathStatus::inFrontOfMirror) {
-    add("α  both angles", angleText(ray.angleDegrees));
+    if (anglesAreEqual(ray)) {
+      add("α  both angles", angleText(ray.angleDegrees));
+    } else {
+      add("α  angle in", angleText(ray.angleDegrees));
+      add("β  angle out", angleText(angleOut(ray)));
+    }
     add("R  reflected", directionText(ray.reflected));
     addLength("d = |PQ|", ray.distance);
     addLength("k  depth scale", depthScale);
@@ -113,19 +157,25 @@ void addRows(Construction& made, bool meetsMirror, double depthScale) {
 
 }  // namespace
 
-Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original,
-                              double depthScale) {
+Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale,
+                              const Mistakes& mistakes) {
   Construction made;
-  made.ray = makeVertexRay(optic, eye, original, depthScale);
+  made.ray = makeVertexRay(optic, eye, original, depthScale, mistakes);
   const VertexRay& ray = made.ray;
   const bool meetsMirror = lengthSquared(ray.normal) > 0.5 && isFinite(ray.mirror) && isFinite(ray.reflected);
   made.points = {{eye, "E"}, {original, "P"}};
-  if (meetsMirror) {
-    addMirrorPoint(made, optic, depthScale);
+  const bool passes = optic.kind == OpticKind::none;
+  if (meetsMirror && passes) {
+    addSight(made, depthScale);
+    addSightRows(made, depthScale);
   } else {
-    made.segments.push_back({eye, original, Kind::incident});
+    if (meetsMirror) {
+      addMirrorPoint(made, optic, depthScale);
+    } else {
+      made.segments.push_back({eye, original, Kind::incident});
+    }
+    addRows(made, meetsMirror, depthScale);
   }
-  addRows(made, meetsMirror, depthScale);
   if (ray.status != PathStatus::mapped) {
     made.explanation = explainStatus(ray.status) + std::string(".");
     made.explanation[0] = static_cast<char>(std::toupper(made.explanation[0]));
@@ -134,7 +184,8 @@ Construction makeConstruction(const Optic& optic, const Point& eye, const Point&
 }
 
 Construction makeConstruction(const Level& level, const Point& original) {
-  return makeConstruction(level.optic, level.camera.eye, original, level.sculpture.depthScale);
+  return makeConstruction(level.optic, level.camera.eye, original, level.sculpture.depthScale,
+                          level.sculpture.mistakes);
 }
 
 }  // namespace anamorph

@@ -7,6 +7,9 @@
 //        E __/a|a\                    two arcs a between the rays and the normal
 //              N   \ S
 //
+// Without a mirror there is one straight line, E - Q - P with S on it. With the published mistakes the rays
+// and angles are the published ones: that the two angles differ is seen.
+//
 // A vertex that is not mapped has what there is of it, and a sentence that says what became of its ray.
 #pragma once
 
@@ -52,8 +55,9 @@ struct Construction {
 };
 
 /// Everything finite, whatever became of the ray.
-Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale);
-/// With the level's mirror, eye and depth scale.
+Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale,
+                              const Mistakes& mistakes = {});
+/// With the level's mirror, eye, depth scale and mistakes.
 Construction makeConstruction(const Level& level, const Point& original);
 
 }  // namespace anamorph

@@ -25,11 +25,12 @@ Point mirrorPoint(const Optic& optic, const Point& eye, const Point& original) {
   return path.pointCount > 0 ? path.points[static_cast<std::size_t>(path.pointCount - 1)] : original;
 }
 
-// The mirror points are exit points of depth 0. `result` holds the sculpture and takes the points on their
-// way.
+// The mirror points are exit points of depth 0; without a mirror the way is straight. `result` holds the
+// sculpture and takes the points on their way.
 void morphRange(const Sculpture& sculpture, const Optic& optic, const Point& eye, double t,
                 PointArray& result, std::size_t begin, std::size_t end) {
   const PointArray& in = sculpture.original;
+  const bool straight = optic.kind == OpticKind::none;
   std::array<std::int64_t, exitBlockSize> plain;
   std::array<double, exitBlockSize> qx, qy, qz;
   for (std::size_t first = begin; first < end; first += exitBlockSize) {
@@ -40,7 +41,8 @@ void morphRange(const Sculpture& sculpture, const Optic& optic, const Point& eye
       if (sculpture.status[first + i] != PathStatus::mapped) continue;
       const Point p = in[first + i];
       const Point q = plain[i] ? Point(qx[i], qy[i], qz[i]) : mirrorPoint(optic, eye, p);
-      result.set(first + i, alongWay(p, q, result[first + i], t));
+      const Point s = result[first + i];
+      result.set(first + i, straight ? glm::mix(p, s, t) : alongWay(p, q, s, t));
     }
   }
 }

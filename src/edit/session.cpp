@@ -57,6 +57,7 @@ void Session::edit(Level level) {
 void Session::undo() {
   if (changing()) return cancelChange();
   if (undo_.empty()) return;
+  ++undoCount_;
   redo_.push_back(std::exchange(level_, std::move(undo_.back())));
   undo_.pop_back();
 }

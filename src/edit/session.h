@@ -40,6 +40,9 @@ class Session {
   /// A whole change at once.
   void edit(Level level);
 
+  /// How many steps back were taken, since the program started.
+  int undoCount() const { return undoCount_; }
+
   bool canUndo() const { return changing() || !undo_.empty(); }
   bool canRedo() const { return !changing() && !redo_.empty(); }
   /// One step back; a change that goes on is cancelled instead. Without steps nothing happens.
@@ -55,7 +58,7 @@ class Session {
   std::filesystem::path path_;
   Level level_, opened_;
   std::vector<std::string> warnings_;
-  int generation_ = 0;
+  int generation_ = 0, undoCount_ = 0;
   std::optional<Level> before_;  // of the change that goes on
   std::vector<Level> undo_, redo_;
 };

@@ -74,18 +74,20 @@ void openLevel(Workspace& work, const std::filesystem::path& path) {
 
 bool advance(Workspace& work, double seconds) {
   dropStaleSelection(work);
-  bool changed = advanceView(work, seconds);
+  bool changed = advancePlay(work, seconds);
+  changed |= advanceView(work, seconds);
   if (work.rays.animate && work.rays.show && !work.animationPaused) {
     work.animationSeconds += seconds;
     changed = true;
   }
   const bool trees = work.rays.show && (work.rays.source == RaySource::pixels || work.cell);
   const bool original = work.preview.tab != PreviewTab::reflection;
-  return work.studio.update(work.session, {work.preview.size, trees, original}) || changed;
+  changed |= work.studio.update(work.session, {work.preview.size, trees, original});
+  return advanceLesson(work) || changed;
 }
 
 bool isMoving(const Workspace& work) {
-  return work.flight || (work.rays.animate && work.rays.show && !work.animationPaused);
+  return work.flight || work.lesson.play || (work.rays.animate && work.rays.show && !work.animationPaused);
 }
 
 void flyTo(Workspace& work, const ViewPose& pose) {
@@ -126,9 +128,7 @@ std::optional<Construction> currentConstruction(const Workspace& work) {
   if (!work.point || !products.original.mesh) return std::nullopt;
   if (!isOn(*products.original.mesh, *work.point)) return std::nullopt;
   if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
-  const Level& level = products.level;
-  return makeConstruction(level.optic, level.camera.eye, pointOn(*products.original.mesh, *work.point),
-                          level.sculpture.depthScale);
+  return makeConstruction(products.level, pointOn(*products.original.mesh, *work.point));
 }
 
 PreparedSculpture shownSculpture(Workspace& work) {

@@ -11,6 +11,7 @@
 #include "edit/construction.h"
 #include "edit/display_settings.h"
 #include "edit/gizmo.h"
+#include "edit/lesson_run.h"
 #include "edit/morph_stage.h"
 #include "edit/pick.h"
 #include "edit/pose_flight.h"
@@ -55,8 +56,13 @@ struct Workspace {
 
   double animationSeconds = 0;  ///< of the rays
   bool animationPaused = false;
+  int rayStep = 0;  ///< +1, -1: the animation is to stop where the next, the last piece of a ray ends
 
   MorphStage morph;
+
+  LessonRun lesson;
+  LessonProgress progress;
+  int exported = 0;  ///< how many files were exported since the program started
 
   std::string message;  ///< for the status line, until the next one
 };

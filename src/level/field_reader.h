@@ -38,6 +38,8 @@ class FieldReader {
   /// Throws Error when one of them is missing.
   void need(std::initializer_list<const char*> keys);
 
+  bool has(const char* key) { return find(key) != nullptr; }
+
   void field(const char* key, bool& value);
   void field(const char* key, std::string& value);
   void field(const char* key, double& value, Range range);

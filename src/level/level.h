@@ -15,6 +15,7 @@
 #include "math/placement.h"
 #include "optics/camera.h"
 #include "optics/material.h"
+#include "optics/mistakes.h"
 #include "optics/optic.h"
 
 namespace anamorph {
@@ -75,6 +76,7 @@ struct SculptureSettings {
   double tolerancePixels = 0.25;       ///< refinement (section 5); 0: off, the original's own vertices
   std::size_t maxTriangles = 2000000;  ///< refinement stops here
   int imageSize = 512;                 ///< height in pixels of the image that the tolerance is meant for
+  Mistakes mistakes;                   ///< of the thesis' published formulas, made on purpose
   Material material{.color = {0.72, 0.36, 0.22}};
   bool operator==(const SculptureSettings&) const = default;
 };

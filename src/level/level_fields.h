@@ -19,7 +19,7 @@ constexpr Range lengths{1e-6, 1e6};
 constexpr Range shares{0, 1};
 constexpr Range fieldsOfView{1, 170};
 
-constexpr std::array opticKinds{"mirror"};
+constexpr std::array opticKinds{"mirror", "none"};
 constexpr std::array mirrorShapes{"plane", "cylinder", "sphere"};
 constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
 static_assert(mirrorShapes.size() == std::variant_size_v<MirrorShape>);
@@ -158,11 +158,19 @@ void fields(At& at, OriginalSettings& original) {
 }
 
 template <typename At>
+void fields(At& at, Mistakes& mistakes) {
+  at.field("direction", mistakes.direction);
+  at.field("distance", mistakes.distance);
+  at.field("normal", mistakes.normal);
+}
+
+template <typename At>
 void fields(At& at, SculptureSettings& sculpture) {
   at.field("depthScale", sculpture.depthScale, Range{0.01, 100});
   at.numberOrOff("tolerancePixels", sculpture.tolerancePixels, Range{0.001, 1000});
   at.field("maxTriangles", sculpture.maxTriangles, Range{1, 1e8});
   at.field("imageSize", sculpture.imageSize, Range{16, 16384});
+  at.object("mistakes", sculpture.mistakes);
   at.object("material", sculpture.material);
 }
 

@@ -10,6 +10,7 @@
 #include "level/field_reader.h"
 #include "level/field_writer.h"
 #include "level/json.h"
+#include "level/lesson.h"
 #include "level/level_fields.h"
 #include "level/scene_file.h"
 
@@ -43,6 +44,7 @@ Level readLevel(const JsonValue& document, FieldReader::Context& context) {
   fields(reader, level);
   reader.finish();
   level.unknownKeys = context.unknownKeys;
+  parseLesson(level.lesson, context.file);  // kept as it is written, but checked
   return level;
 }
 

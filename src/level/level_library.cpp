@@ -43,7 +43,9 @@ std::vector<LevelEntry> listLevels(const fs::path& folder) {
     entry.path = file;
     entry.name = file.stem().string();
     try {
-      entry.title = loadLevel(file).level.title;
+      const Level level = loadLevel(file).level;
+      entry.title = level.title;
+      entry.lesson = parseLesson(level.lesson, file.string());
     } catch (const Error& error) {
       entry.problem = error.what();  // one broken file must not hide the others
     }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "level/lesson.h"
+
 namespace anamorph {
 
 struct LevelEntry {
@@ -12,6 +14,7 @@ struct LevelEntry {
   std::string name;     ///< the file's name without ending, "1-plane"
   std::string title;    ///< empty when the level cannot be read
   std::string problem;  ///< what loadLevel says then; empty when all is well
+  Lesson lesson;
 };
 
 /// The folder of the installed levels. Throws Error when there is none.

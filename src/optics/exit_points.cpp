@@ -100,6 +100,10 @@ std::size_t exitPoints(const Optic& optic, const Point& eye, double depthScale,
                        PointPointers<const double> targets, std::size_t count, PointPointers<double> points,
                        std::int64_t* plain) {
   CHECK(count <= exitBlockSize);
+  if (optic.kind != OpticKind::mirror) {
+    std::fill(plain, plain + count, 0);
+    return 0;
+  }
   return std::visit(
       [&](const auto& surface) -> std::size_t {
         if constexpr (requires { bounceOf(surface, eye); }) {

@@ -1,7 +1,12 @@
-// The optic: what light passes on its way from the eye to the sculpture. Today a mirror of some shape; glass,
-// or several bounces, would follow the same contract, because a path is a list of points and an exit ray.
+// The optic: what light passes on its way from the eye to the sculpture. A mirror of some shape, or no mirror
+// at all: then the surface is a canvas that light passes straight through. Glass, or several bounces, would
+// follow the same contract, because a path is a list of points and an exit ray.
 //
 //      E --------> Q0 (--> Q1 ...) = exit.origin --- exit.direction --->
+//
+// Without a mirror the sculpture's points slide along the view rays, S = Q + k (P - Q) = E + s (P - E): for a
+// small k they lie nearly in the canvas, which is perspective anamorphosis as on pavements (the thesis'
+// figure 3). The canvas may be before or behind the original.
 //
 // Lengths along a path count in the length of the ray that was sent. A ray from the eye E towards a vertex P,
 // sent with direction P - E, has gone the share `travelled` of |EP| when it leaves the optic; the target is
@@ -18,7 +23,10 @@
 
 namespace anamorph {
 
-enum class OpticKind { mirror };
+enum class OpticKind {
+  mirror,
+  none,  ///< no mirror: the shape is a canvas that nothing is reflected by
+};
 
 struct Optic {
   OpticKind kind = OpticKind::mirror;
@@ -52,6 +60,9 @@ struct OpticPath {
   double sine = 1;       ///< of the angle between ray and surface, the smallest of all points
   Ray exit;              ///< from the last point, as long as the ray sent; undefined for a miss
 };
+
+/// What its surface is called in messages: "mirror", "canvas".
+const char* surfaceName(const Optic& optic);
 
 /// Follows a ray (direction of any length > 0) through the optic.
 OpticPath followRay(const Optic& optic, const Ray& ray);

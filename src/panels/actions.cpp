@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "edit/orbit.h"
+#include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 #include "panels/widgets.h"
 
@@ -12,13 +13,23 @@ namespace anamorph {
 namespace {
 
 // The level so many places after the one that is open; the last and the first are followed by nothing.
-void openNeighbour(Workspace& work, UiState& ui, int offset) {
+const LevelEntry* neighbour(const Workspace& work, const UiState& ui, int offset) {
   const auto current = std::find_if(ui.levels.begin(), ui.levels.end(),
                                     [&](const LevelEntry& entry) { return isOpen(work, entry); });
   const auto index = current - ui.levels.begin() + offset;
   if (current == ui.levels.end() || index < 0 || index >= static_cast<std::ptrdiff_t>(ui.levels.size()))
-    return;
-  ui.requests.open = ui.levels[static_cast<std::size_t>(index)].path;
+    return nullptr;
+  return &ui.levels[static_cast<std::size_t>(index)];
+}
+
+void openNeighbour(const Workspace& work, UiState& ui, int offset) {
+  if (const LevelEntry* entry = neighbour(work, ui, offset)) ui.requests.open = entry->path;
+}
+
+// Panels make room for the view and the large words.
+void togglePresenting(UiState& ui) {
+  ui.presenting = !ui.presenting;
+  ui.panelsHidden = ui.presenting;
 }
 
 void setMode(Workspace& work, GizmoMode mode) {
@@ -33,8 +44,11 @@ void cancel(Workspace& work, UiState& ui) {
     return work.session.cancelChange();
   }
   if (closePopups()) return;
-  if (ui.render.open || ui.helpOpen) {
-    ui.render.open = ui.helpOpen = false;
+  if (ui.tourCard >= 0) {
+    ui.tourCard = -1;
+    ui.preferences.tourSeen = true;
+  } else if (ui.render.open || ui.helpOpen || ui.progressOpen) {
+    ui.render.open = ui.helpOpen = ui.progressOpen = false;
   } else if (work.preview.expanded) {
     work.preview.expanded = false;
   } else if (work.cell || work.point) {
@@ -51,6 +65,10 @@ void frame(Workspace& work, const Selection& selection) {
 }
 
 }  // namespace
+
+bool hasNextLevel(const Workspace& work, const UiState& ui) {
+  return neighbour(work, ui, 1) != nullptr;
+}
 
 bool isOpen(const Workspace& work, const LevelEntry& entry) {
   std::error_code ignored;
@@ -76,12 +94,21 @@ const std::vector<ActionText>& actionTexts() {
       {Action::viewTop, "From above", "Along the z axis"},
       {Action::toggleParallel, "Parallel rays", "Orthographic view and back"},
       {Action::pauseRays, "Pause the rays", "While they are animated"},
+      {Action::rayStepForward, "Rays: one piece further",
+       "To where the next piece of a ray ends, and stay there"},
+      {Action::rayStepBack, "Rays: one piece back", ""},
       {Action::previousLevel, "Previous level", ""},
       {Action::nextLevel, "Next level", ""},
+      {Action::previousStep, "Previous step", "Of the lesson; while presenting the left arrow, too"},
+      {Action::nextStep, "Next step", "Of the lesson; while presenting the right arrow, too"},
+      {Action::showStep, "Show me", "Points at the control, and makes the move of the lesson's step"},
+      {Action::progress, "Points and badges", "How far all lessons are done"},
+      {Action::present, "Present", "The step in large letters and a mark around the mouse, for an audience"},
       {Action::reload, "Reload the level", "From its file"},
       {Action::renderImage, "Render an image", "In high resolution"},
       {Action::screenshot, "Screenshot", "Of the window, as PNG"},
       {Action::help, "Help", "Keys, mouse and words"},
+      {Action::tour, "Show me around", "What is where in the window, in twenty seconds"},
       {Action::hidePanels, "Hide the panels", "And show them again"},
       {Action::fullscreen, "Full screen", "And back"},
       {Action::quit, "Quit", ""},
@@ -106,6 +133,12 @@ std::vector<Shortcut> shortcuts(bool vrtKeys) {
       {Action::pauseRays, space, 0, "Space"},
       {Action::previousLevel, pageUp, 0, "Page Up"},
       {Action::nextLevel, pageDown, 0, "Page Down"},
+      {Action::rayStepForward, '.', 0, "."},
+      {Action::rayStepBack, ',', 0, ","},
+      {Action::previousStep, left, alt, "Alt+Left"},
+      {Action::nextStep, right, alt, "Alt+Right"},
+      {Action::showStep, 'M', 0, "M"},
+      {Action::present, f3, 0, "F3"},
       {Action::reload, f5, 0, "F5"},
       {Action::renderImage, 'R', control | shift, "Ctrl+Shift+R"},
       {Action::screenshot, f12, 0, "F12"},
@@ -181,6 +214,27 @@ void perform(Action action, Workspace& work, UiState& ui) {
       return openNeighbour(work, ui, -1);
     case Action::nextLevel:
       return openNeighbour(work, ui, 1);
+    case Action::previousStep:
+      return previousStep(work);
+    case Action::nextStep:
+      return nextStep(work);
+    case Action::showStep:
+      return showStep(work, ui);
+    case Action::progress:
+      ui.progressOpen = !ui.progressOpen;
+      return;
+    case Action::present:
+      return togglePresenting(ui);
+    case Action::rayStepForward:
+      work.rayStep = 1;
+      return;
+    case Action::rayStepBack:
+      work.rayStep = -1;
+      return;
+    case Action::tour:
+      ui.tourCard = 0;
+      ui.tourSeconds = 0;
+      return;
     case Action::reload:
       if (!work.session.path().empty()) ui.requests.open = work.session.path();
       return;
@@ -209,6 +263,10 @@ bool handleKey(int key, int modifiers, Workspace& work, UiState& ui) {
   if (ui.viewDrag == ViewDrag::gizmo && key >= 'X' && key <= 'Z' && (modifiers & keys::control) == 0) {
     const int axis = key - 'X';
     ui.axisLock = ui.axisLock == axis ? -1 : axis;
+    return true;
+  }
+  if (ui.presenting && modifiers == 0 && (key == keys::left || key == keys::right)) {
+    perform(key == keys::left ? Action::previousStep : Action::nextStep, work, ui);
     return true;
   }
   for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {

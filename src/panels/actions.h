@@ -33,8 +33,16 @@ enum class Action {
   lookThrough,
   previousLevel,
   nextLevel,
+  previousStep,
+  nextStep,
+  showStep,
+  progress,
+  present,
   pauseRays,
+  rayStepForward,
+  rayStepBack,
   help,
+  tour,
   hidePanels,
   fullscreen,
 };
@@ -42,8 +50,8 @@ enum class Action {
 /// Key codes as GLFW numbers them: letters and digits are their capital ASCII characters.
 namespace keys {
 constexpr int escape = 256, tab = 258, pageUp = 266, pageDown = 267, home = 268, f1 = 290, f2 = 291, f5 = 294,
-              f11 = 300, f12 = 301, pad0 = 320, space = 32;
-constexpr int shift = 1, control = 2;
+              f3 = 292, f11 = 300, f12 = 301, left = 263, right = 262, pad0 = 320, space = 32;
+constexpr int shift = 1, control = 2, alt = 4;
 }  // namespace keys
 
 struct Shortcut {
@@ -68,6 +76,9 @@ std::string keyNameOf(Action action, bool vrtKeys);
 
 /// Whether the level that is open is this one, however its path is written.
 bool isOpen(const Workspace& work, const LevelEntry& entry);
+
+/// Whether the list has a level after the open one.
+bool hasNextLevel(const Workspace& work, const UiState& ui);
 
 /// Does it; what only the window can do is put into ui.requests.
 void perform(Action action, Workspace& work, UiState& ui);

@@ -26,7 +26,9 @@ Layout makeLayout(const LayoutInput& in) {
   float right = (in.previewExpanded ? std::max(in.rightWidth, 0.5f * in.width / s) : in.rightWidth) * s;
   if (in.width - left - right < smallestView * s) left = 0;
   if (in.width - right < smallestView * s) right = 0;
-  layout.left = {0, top, left, left > 0 ? height : 0};
+  const float list = std::min((46 + levelRowHeight * static_cast<float>(in.levels)) * s, 0.42f * height);
+  layout.left = {0, top, left, left > 0 ? list : 0};
+  layout.lesson = {0, top + list, left, left > 0 ? height - list : 0};
   layout.view = {left, top, in.width - left - right, height};
 
   float preview = in.previewExpanded ? std::max(in.previewHeight * s, height - 2 * smallestProperties * s)

@@ -15,6 +15,9 @@
 
 namespace anamorph {
 
+/// Of a row of the level list, at scale 1.
+constexpr float levelRowHeight = 40;
+
 /// Pixels, origin top-left.
 struct Rect {
   float x = 0, y = 0, width = 0, height = 0;
@@ -26,7 +29,7 @@ struct Rect {
 
 /// Panels that are not shown have an empty rectangle.
 struct Layout {
-  Rect menu, left, view, properties, preview, status;
+  Rect menu, left, lesson, view, properties, preview, status;
 
   bool operator==(const Layout&) const = default;
 };
@@ -35,6 +38,7 @@ struct LayoutInput {
   float width = 0, height = 0;  ///< of the window, pixels
   float scale = 1;
   float leftWidth = 0, rightWidth = 0, previewHeight = 0;  ///< at scale 1
+  int levels = 0;                                          ///< rows of the level list
   bool panelsHidden = false;
   bool previewExpanded = false;  ///< the preview takes half of the window
 };

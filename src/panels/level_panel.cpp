@@ -1,7 +1,9 @@
-// The left panel: the levels, and below them what the open one is about.
+// The level list: a picture, the title, and how far its lesson is done.
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/actions.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -10,30 +12,54 @@
 namespace anamorph {
 namespace {
 
+void drawThumbnail(const LevelEntry& entry, const UiState& ui, const ImVec2& low, const ImVec2& high) {
+  const float rounding = 4 * static_cast<float>(ui.scale);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto picture = ui.textures.thumbnails.find(entry.name);
+  if (picture == ui.textures.thumbnails.end()) {
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+    return;
+  }
+  list->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->second.id)), low,
+                        high, {0, 0}, {1, 1}, IM_COL32_WHITE, rounding);
+}
+
+// "3 of 7", a star once the badge is earned.
+void drawProgress(const LevelEntry& entry, const Workspace& work, const UiState& ui, float right,
+                  float middle) {
+  if (entry.lesson.steps.empty()) return;
+  const LessonScore score = scoreOf(entry.lesson, work.progress);
+  const float size = ImGui::GetFontSize();
+  if (score.badge) return drawStar({right - size / 2, middle}, 0.48f * size);
+  const std::string text = fmt::format("{}/{}", score.done, score.steps);
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+  ImGui::GetWindowDrawList()->AddText({right - extent.x, middle - extent.y / 2},
+                                      ImGui::ColorConvertFloat4ToU32(ink::quiet(ui.preferences.theme)),
+                                      text.c_str());
+}
+
 void levelRow(const LevelEntry& entry, Workspace& work, UiState& ui) {
-  const float s = static_cast<float>(ui.scale), height = 52 * s, gap = 8 * s;
+  const float s = static_cast<float>(ui.scale), height = levelRowHeight * s, gap = 8 * s;
   const bool open = isOpen(work, entry);
   ImGui::PushID(entry.name.c_str());
   const ImVec2 p = ImGui::GetCursorScreenPos();
+  const float right = p.x + ImGui::GetContentRegionAvail().x - 4 * s;
   if (ImGui::Selectable("##level", open, 0, {0, height})) ui.requests.open = entry.path;
   tooltip(entry.problem.c_str());
   const ImVec2 after = ImGui::GetCursorScreenPos();
-  ImDrawList* list = ImGui::GetWindowDrawList();
   const float side = height - 6 * s;
   const ImVec2 low{p.x + 3 * s, p.y + 3 * s}, high{low.x + side, low.y + side};
-  if (const auto picture = ui.textures.thumbnails.find(entry.name); picture != ui.textures.thumbnails.end()) {
-    list->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture->second.id)), low,
-                          high, {0, 0}, {1, 1}, IM_COL32_WHITE, 4 * s);
-  } else {
-    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 4 * s);
-  }
-  const std::string& title = entry.title.empty() ? entry.name : entry.title;
+  drawThumbnail(entry, ui, low, high);
+  drawProgress(entry, work, ui, right, p.y + height / 2);
+  const std::string title = entry.title.empty() ? entry.name : tr(entry.title);
   const ImVec4 color =
       entry.problem.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.preferences.theme);
   ImGui::SetCursorScreenPos({high.x + gap, p.y + (height - ImGui::GetTextLineHeight()) / 2});
   {
     const FontScope strong(open ? ui.fonts.strong : nullptr);
+    ImGui::PushClipRect(p, {right - 34 * s, p.y + height}, true);
     ImGui::TextColored(color, "%s", title.c_str());
+    ImGui::PopClipRect();
   }
   ImGui::SetCursorScreenPos(after);
   ImGui::PopID();
@@ -45,26 +71,11 @@ void drawLevelPanel(Workspace& work, UiState& ui) {
   if (!beginPanel("levels", ui.layout.left)) return;
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted("Levels");
+    ImGui::TextUnformatted(tr("Levels"));
   }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
   for (const LevelEntry& entry : ui.levels) levelRow(entry, work, ui);
-  ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
-  ImGui::Separator();
-  ImGui::Dummy({0, 4 * static_cast<float>(ui.scale)});
-  const Level& level = work.session.level();
-  {
-    const FontScope title(ui.fonts.title);
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(level.title.empty() ? "A level without a title" : level.title.c_str());
-    ImGui::PopTextWrapPos();
-  }
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(level.description.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
-  if (wideButton("Reset the level", "As it was opened. Can be undone.", work.session.modified())) {
-    perform(Action::resetLevel, work, ui);
-  }
+  ImGui::PopStyleVar();
   ImGui::End();
 }
 

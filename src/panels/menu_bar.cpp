@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/actions.h"
 #include "panels/match_score.h"
 #include "panels/panels.h"
@@ -16,7 +17,7 @@ void item(Action action, Workspace& work, UiState& ui, bool enabled = true, bool
   for (const ActionText& text : actionTexts()) {
     if (text.action != action) continue;
     const std::string key = keyNameOf(action, ui.preferences.vrtKeys);
-    if (ImGui::MenuItem(text.name, key.c_str(), checked, enabled)) perform(action, work, ui);
+    if (ImGui::MenuItem(tr(text.name), key.c_str(), checked, enabled)) perform(action, work, ui);
     tooltip(text.help);
   }
 }
@@ -43,12 +44,15 @@ void viewMenu(Workspace& work, UiState& ui) {
   item(Action::toggleParallel, work, ui, true, work.pose.orthographic);
   ImGui::Separator();
   item(Action::pauseRays, work, ui, work.rays.animate, work.animationPaused);
+  item(Action::rayStepForward, work, ui, work.rays.show);
+  item(Action::rayStepBack, work, ui, work.rays.show);
   item(Action::hidePanels, work, ui, true, ui.panelsHidden);
   item(Action::fullscreen, work, ui);
+  item(Action::present, work, ui, true, ui.presenting);
 }
 
 void menus(Workspace& work, UiState& ui) {
-  if (ImGui::BeginMenu("File")) {
+  if (ImGui::BeginMenu(tr("File"))) {
     item(Action::reload, work, ui);
     item(Action::renderImage, work, ui);
     item(Action::screenshot, work, ui);
@@ -56,47 +60,54 @@ void menus(Workspace& work, UiState& ui) {
     item(Action::quit, work, ui);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Edit")) {
+  if (ImGui::BeginMenu(tr("Edit"))) {
     editMenu(work, ui);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("View")) {
+  if (ImGui::BeginMenu(tr("View"))) {
     viewMenu(work, ui);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Level")) {
+  if (ImGui::BeginMenu(tr("Level"))) {
     for (const LevelEntry& entry : ui.levels) {
       const bool open = isOpen(work, entry);
-      if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : entry.title.c_str(), nullptr, open)) {
+      if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str()), nullptr,
+                          open)) {
         ui.requests.open = entry.path;
       }
     }
     ImGui::Separator();
     item(Action::previousLevel, work, ui);
     item(Action::nextLevel, work, ui);
+    ImGui::Separator();
+    item(Action::previousStep, work, ui, !work.lesson.empty());
+    item(Action::nextStep, work, ui, !work.lesson.empty());
+    item(Action::showStep, work, ui, !work.lesson.empty());
+    item(Action::progress, work, ui, true, ui.progressOpen);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Help")) {
+  if (ImGui::BeginMenu(tr("Help"))) {
     item(Action::help, work, ui);
+    item(Action::tour, work, ui);
     ImGui::EndMenu();
   }
 }
 
 void rightEnd(Workspace& work, UiState& ui) {
   const MatchScore score = matchScore(work.studio.products());
-  const std::string text = "match " + score.percent + "  " + score.word;
+  const std::string text = std::string(tr("match")) + " " + score.percent + "  " + tr(score.word);
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float undo = ImGui::CalcTextSize("Undo").x + 2 * style.FramePadding.x;
-  const float redo = ImGui::CalcTextSize("Redo").x + 2 * style.FramePadding.x;
+  const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;
+  const float redo = ImGui::CalcTextSize(tr("Redo")).x + 2 * style.FramePadding.x;
   const float width = ImGui::CalcTextSize(text.c_str()).x + undo + redo + 4 * style.ItemSpacing.x;
   const float x = ImGui::GetWindowWidth() - width - style.WindowPadding.x;
   if (x < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(x);
   ImGui::BeginDisabled(!work.session.canUndo());
-  if (ImGui::SmallButton("Undo")) perform(Action::undo, work, ui);
+  if (ImGui::SmallButton(tr("Undo"))) perform(Action::undo, work, ui);
   ImGui::EndDisabled();
   ImGui::BeginDisabled(!work.session.canRedo());
-  if (ImGui::SmallButton("Redo")) perform(Action::redo, work, ui);
+  if (ImGui::SmallButton(tr("Redo"))) perform(Action::redo, work, ui);
   ImGui::EndDisabled();
   ImGui::TextColored(scoreColor(score, ui.preferences.theme), "%s", text.c_str());
   tooltip(score.help.c_str());

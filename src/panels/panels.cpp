@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 
 namespace anamorph {
@@ -40,7 +41,8 @@ void drawSplitters(UiState& ui) {
   const float t = 4 * static_cast<float>(ui.scale);
   Preferences& p = ui.preferences;
   if (!l.left.empty()) {
-    splitter(ui, "##split-left", {l.left.x + l.left.width - t / 2, l.left.y, t, l.left.height}, true,
+    splitter(ui, "##split-left",
+             {l.left.x + l.left.width - t / 2, l.left.y, t, l.left.height + l.lesson.height}, true,
              p.leftWidth, 1, 180, 600);
   }
   if (!l.properties.empty()) {
@@ -61,16 +63,21 @@ void drawPanels(Workspace& work, UiState& ui) {
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          ui.panelsHidden, work.preview.expanded});
+                          static_cast<int>(ui.levels.size()), ui.panelsHidden, work.preview.expanded});
+  updateHighlight(ui, static_cast<double>(ImGui::GetIO().DeltaTime));
   drawViewPanel(work, ui);
   drawMenuBar(work, ui);
   drawLevelPanel(work, ui);
+  drawLessonPanel(work, ui);
   drawPropertiesPanel(work, ui);
   drawPreviewPanel(work, ui);
   drawStatusLine(work, ui);
   drawSplitters(ui);
   drawRenderWindow(work, ui);
   drawHelpWindow(work, ui);
+  drawProgressWindow(work, ui);
+  drawPresenter(work, ui);
+  drawTour(work, ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
   if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;

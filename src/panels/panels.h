@@ -16,11 +16,21 @@ void drawViewOverlay(Workspace& work, UiState& ui);
 
 void drawMenuBar(Workspace& work, UiState& ui);
 void drawLevelPanel(Workspace& work, UiState& ui);
+void drawLessonPanel(Workspace& work, UiState& ui);
 void drawPropertiesPanel(Workspace& work, UiState& ui);
 void drawPreviewPanel(Workspace& work, UiState& ui);
 void drawStatusLine(Workspace& work, UiState& ui);
 void drawHelpWindow(Workspace& work, UiState& ui);
 void drawRenderWindow(Workspace& work, UiState& ui);
+/// Points and badges of all lessons.
+void drawProgressWindow(Workspace& work, UiState& ui);
+/// The open step in large letters, and a mark around the mouse: for an audience.
+void drawPresenter(Workspace& work, UiState& ui);
+/// Five cards that show a newcomer around, in twenty seconds.
+void drawTour(Workspace& work, UiState& ui);
+
+/// Opens a tab of the properties, and selects its thing.
+void openTab(Workspace& work, UiState& ui, PropertyTab tab);
 
 // The tabs of the properties panel.
 void drawEyeProperties(Workspace& work, UiState& ui);

@@ -48,6 +48,11 @@ Selection selectionOf(PropertyTab tab, const Selection& current) {
 
 }  // namespace
 
+void openTab(Workspace& work, UiState& ui, PropertyTab tab) {
+  ui.tab = tab;
+  work.selection = ui.tabSelection = selectionOf(tab, work.selection);
+}
+
 void drawPropertiesPanel(Workspace& work, UiState& ui) {
   if (!(ui.tabSelection == work.selection)) {
     ui.tab = tabOf(work.selection, ui.tab);
@@ -57,8 +62,7 @@ void drawPropertiesPanel(Workspace& work, UiState& ui) {
   int tab = static_cast<int>(ui.tab);
   if (segmentedControl("tabs", tab, {"Eye", "Original", "Mirror", "Sculpture", "Lights", "Rays", "View"},
                        4)) {
-    ui.tab = static_cast<PropertyTab>(tab);
-    work.selection = ui.tabSelection = selectionOf(ui.tab, work.selection);
+    openTab(work, ui, static_cast<PropertyTab>(tab));
   }
   using Draw = void (*)(Workspace&, UiState&);
   constexpr std::array<Draw, 7> tabs{drawEyeProperties,       drawOriginalProperties, drawMirrorProperties,

@@ -25,9 +25,15 @@ struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
   ImFont* title = nullptr;
+  ImFont* huge = nullptr;  ///< for an audience; loaded while presenting
 };
 
 enum class Theme { dark, light, projector };
+
+/// A language that can be chosen: its code ("nl"), and what its speakers call it.
+struct LanguageChoice {
+  std::string code, name;
+};
 
 /// Kept between runs.
 struct Preferences {
@@ -35,7 +41,9 @@ struct Preferences {
   double uiScale = 0;    ///< 0: as the screen says; else 0.75..3
   bool vrtKeys = false;  ///< T/R/S for move, rotate, scale as in Virtual Ray Tracer, instead of W/E/R
   bool legend = true;
+  bool tourSeen = false;
   double leftWidth = 264, rightWidth = 336, previewHeight = 416;  ///< at 100 % UI scale
+  std::string language;                                           ///< code; empty: as the system is set
 
   bool operator==(const Preferences&) const = default;
 };
@@ -89,9 +97,18 @@ struct UiState {
   UiTextures textures;
   UiRequests requests;
   std::vector<LevelEntry> levels;
+  std::vector<LanguageChoice> languages;
 
   bool panelsHidden = false;
   bool helpOpen = false;
+  bool progressOpen = false;
+  bool resetAsked = false;       ///< whether progress is really to be forgotten
+  bool presenting = false;       ///< the open step in large letters
+  int tourCard = -1;             ///< of the tour; -1: it is not shown
+  double tourSeconds = 0;        ///< since its card appeared
+  std::string highlight;         ///< English name of the control that "show me" points at
+  double highlightSeconds = 0;   ///< that are left of it
+  std::size_t scrolledStep = 0;  ///< the step that the lesson's text has been scrolled to the top for
   RenderDialog render;
 
   PropertyTab tab = PropertyTab::eye;

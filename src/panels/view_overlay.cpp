@@ -210,7 +210,7 @@ void drawViewOverlay(Workspace& work, UiState& ui) {
   drawAim(ink, work);
   if (const auto construction = currentConstruction(work)) drawConstruction(ink, *construction);
   drawGizmo(ink, emphasised(currentGizmo(work, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
-  drawAxes(ink, rect);
+  if (!ui.presenting) drawAxes(ink, rect);  // the words are there
   ink.list().PopClipRect();
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(work, ui);

@@ -5,6 +5,20 @@
 #include "panels/widgets.h"
 
 namespace anamorph {
+namespace {
+
+void languageRow(UiState& ui) {
+  std::vector<const char*> names{"As the system"};
+  int chosen = 0;
+  for (const LanguageChoice& language : ui.languages) {
+    if (language.code == ui.preferences.language) chosen = static_cast<int>(names.size());
+    names.push_back(language.name.c_str());
+  }
+  if (!choiceRow("Language", chosen, names)) return;
+  ui.preferences.language = chosen == 0 ? "" : ui.languages[static_cast<std::size_t>(chosen - 1)].code;
+}
+
+}  // namespace
 
 void drawViewProperties(Workspace& work, UiState& ui) {
   Preferences& preferences = ui.preferences;
@@ -25,6 +39,7 @@ void drawViewProperties(Workspace& work, UiState& ui) {
                   "Projector: white, with large text and thick lines.")) {
       preferences.theme = static_cast<Theme>(theme);
     }
+    languageRow(ui);
     int automatic = preferences.uiScale > 0 ? 1 : 0;
     if (choiceRow("Size", automatic, {"As the screen says", "My own"})) {
       preferences.uiScale = automatic == 0 ? 0 : ui.scale;

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "base/language.h"
 #include "edit/level_repairs.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
@@ -87,8 +88,9 @@ void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
 void drawViewButtons(Workspace& work, UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 220) || ui.layout.view.height < scaled(ui, 120)) return;
   beginFloating(ui, "##view-buttons", {1, 1}, 0, 6);
-  if (ImGui::Button(work.lookingThrough ? "Back to where I was" : "Look through the RT camera"))
+  if (ImGui::Button(tr(work.lookingThrough ? "Back to where I was" : "Look through the RT camera")))
     toggleLookThrough(work);
+  pointedItem("Look through the RT camera");
   tooltip("The key 0 does the same.");
   ImGui::End();
 }

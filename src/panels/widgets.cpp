@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "base/language.h"
 #include "panels/style.h"
 
 namespace anamorph {
@@ -13,13 +14,44 @@ namespace {
 
 constexpr float nameShare = 0.40f;  // of the width
 
+// What is shown in the chosen language, with the English text as Dear ImGui's identity.
+std::string label(const char* english) {
+  return std::string(tr(english)) + "###" + english;
+}
+
+// What pointAt() was told. Like Dear ImGui itself, one for the thread that draws.
+struct Pointer {
+  std::string name;
+  bool scrolled = false;
+  int count = 0;
+};
+Pointer pointer;
+
+// Around what is pointed at, over everything, breathing so that it is found.
+void outline(const ImVec2& low, const ImVec2& high) {
+  if (!pointer.scrolled) ImGui::SetScrollHereY(0.3f);
+  pointer.scrolled = true;
+  ++pointer.count;
+  const float pulse = 0.5f + 0.5f * std::sin(6 * static_cast<float>(ImGui::GetTime()));
+  const float grow = ImGui::GetFontSize() * (0.15f + 0.12f * pulse);
+  ImGui::GetForegroundDrawList()->AddRect({low.x - grow, low.y - grow}, {high.x + grow, high.y + grow},
+                                          IM_COL32(255, 120, 0, 255), grow, 0, 0.2f * ImGui::GetFontSize());
+}
+
+void pointedRow(const char* name, float width) {
+  if (pointer.name.empty() || pointer.name != name) return;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  outline(low, {low.x + width, low.y + ImGui::GetFrameHeight()});
+}
+
 // Writes the name and moves to where the control goes. Pair with endRow().
 void beginRow(const char* name, const char* help) {
   ImGui::PushID(name);
   const float width = ImGui::GetContentRegionAvail().x;
+  pointedRow(name, width);
   const float start = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name);
+  ImGui::TextUnformatted(tr(name));
   tooltip(help);
   ImGui::SameLine();
   ImGui::SetCursorPosX(start + nameShare * width);
@@ -51,7 +83,7 @@ bool section(const UiState& ui, const char* title, bool open) {
   ImGui::Dummy({0, 2});
   const FontScope strong(ui.fonts.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
-  const bool shown = ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  const bool shown = ImGui::CollapsingHeader(label(title).c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   ImGui::PopStyleColor();
   return shown;
 }
@@ -111,7 +143,8 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
 }
 
 bool checkRow(const char* name, bool& value, const char* help) {
-  const bool changed = ImGui::Checkbox(name, &value);
+  const bool changed = ImGui::Checkbox(label(name).c_str(), &value);
+  pointedItem(name);
   tooltip(help);
   return changed;
 }
@@ -132,7 +165,9 @@ bool colorRow(const char* name, Color& value, const char* help) {
 
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help) {
   beginRow(name, help);
-  const bool changed = ImGui::Combo("##value", &value, choices.data(), static_cast<int>(choices.size()));
+  std::vector<const char*> names;
+  for (const char* choice : choices) names.push_back(tr(choice));
+  const bool changed = ImGui::Combo("##value", &value, names.data(), static_cast<int>(names.size()));
   endRow(help);
   return changed;
 }
@@ -143,6 +178,40 @@ void textRow(const char* name, const std::string& value, const char* help) {
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopTextWrapPos();
   endRow(help);
+}
+
+void pointAt(const std::string& name) {
+  if (pointer.name == name) return;
+  pointer.name = name;
+  pointer.scrolled = false;
+}
+
+void pointedItem(const char* name) {
+  if (pointer.name.empty() || pointer.name != name) return;
+  outline(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+int pointedCount() {
+  return pointer.count;
+}
+
+void drawStar(const ImVec2& middle, float radius) {
+  constexpr ImU32 gold = IM_COL32(0xE6, 0x9F, 0x00, 255);
+  constexpr int points = 5;
+  const auto at = [&](float turn, float r) {
+    const float angle = (turn / points - 0.25f) * 2 * 3.14159265f;
+    return ImVec2{middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)};
+  };
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  constexpr float inner = 0.5f;
+  std::vector<ImVec2> core;
+  for (int i = 0; i < points; ++i) {
+    const auto turn = static_cast<float>(i);
+    list->AddTriangleFilled(at(turn - 0.5f, inner * radius), at(turn, radius),
+                            at(turn + 0.5f, inner * radius), gold);
+    core.push_back(at(turn + 0.5f, inner * radius));
+  }
+  list->AddConvexPolyFilled(core.data(), points, gold);
 }
 
 void tooltip(const char* text) {
@@ -157,7 +226,7 @@ void tooltip(const char* text) {
   if (rested < 0.5f) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(tr(text));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -175,15 +244,16 @@ bool closePopups() {
 void quietText(const UiState& ui, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(tr(text));
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
 bool wideButton(const char* name, const char* help, bool enabled) {
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(name, {-FLT_MIN, 0});
+  const bool pressed = ImGui::Button(label(name).c_str(), {-FLT_MIN, 0});
   ImGui::EndDisabled();
+  pointedItem(name);
   tooltip(help);
   return pressed;
 }
@@ -199,10 +269,11 @@ bool segmentedControl(const char* id, int& chosen, const std::vector<const char*
     if (i % columns != 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (ImGui::Button(names[i], {width, 0})) {
+    if (ImGui::Button(label(names[i]).c_str(), {width, 0})) {
       chosen = i;
       changed = true;
     }
+    pointedItem(names[i]);
     if (on) ImGui::PopStyleColor();
   }
   ImGui::PopStyleVar();

@@ -1,11 +1,15 @@
 // Rows of a property panel: a name on the left, a control on the right, an explanation when the mouse rests
 // on either. Every control works on a copy of its value and returns whether it was changed, so that panels
 // can compare and hand the copy to the session.
+//
+// Names, choices and explanations are given in English and shown in the chosen language (base/language.h).
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
+
+#include <imgui.h>
 
 #include "math/vec.h"
 #include "panels/ui_state.h"
@@ -33,6 +37,16 @@ bool checkRow(const char* name, bool& value, const char* help = "");
 bool colorRow(const char* name, Color& value, const char* help = "");
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help = "");
 void textRow(const char* name, const std::string& value, const char* help = "");
+
+/// The control with this English name is outlined from now on, and scrolled to; "": none.
+void pointAt(const std::string& name);
+/// To be called after a control that has no row of its own: outlines it when it is pointed at.
+void pointedItem(const char* name);
+/// How often a control has been outlined since the program started, for tests.
+int pointedCount();
+
+/// A five-pointed star, for badges.
+void drawStar(const ImVec2& middle, float radius);
 
 /// Appears when the mouse has rested on the last item for half a second.
 void tooltip(const char* text);

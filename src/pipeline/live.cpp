@@ -48,7 +48,7 @@ void turnNormals(const std::vector<glm::vec3>& from, const Vector& rotationDegre
 StatusCounts ownStatus(const Level& level, const Mesh& original, int threads) {
   MappedPoints mapped;
   mapPointsThrough(level.optic, level.camera.eye, original.positions, level.sculpture.depthScale, mapped,
-                   threads);
+                   threads, level.sculpture.mistakes);
   return countStatus(mapped.status);
 }
 
@@ -125,7 +125,8 @@ PreparedSculpture LiveSculpture::follow(const Level& level, const std::shared_pt
   }
   const Point& eye = level.camera.eye;
   const double depthScale = level.sculpture.depthScale;
-  remapSculpture(level.optic, eye, depthScale, sculpture.original, sculpture, threads);
+  remapSculpture(level.optic, eye, depthScale, sculpture.original, sculpture, threads,
+                 level.sculpture.mistakes);
   sculpture.originalStatus = countStatus(sculpture.status);
   if (!ownTriangles_) {
     const std::size_t own = original->positions.size();

@@ -70,7 +70,8 @@ const char* explainStatus(PathStatus status) {
 
 std::optional<std::string> findProblem(const Level& level, const Mesh& original) {
   if (auto problem = findShapeProblem(level.optic.shape)) {
-    return fmt::format("the {} mirror cannot be used: {}.", shapeName(level.optic.shape), *problem);
+    return fmt::format("the {} {} cannot be used: {}.", shapeName(level.optic.shape),
+                       surfaceName(level.optic), *problem);
   }
   if (auto problem = findEyeProblem(level.optic.shape, level.camera.eye)) return problem;
   const Box box = boundingBox(original.positions);
@@ -142,6 +143,7 @@ DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> orig
   input.depthScale = level.sculpture.depthScale;
   input.tolerancePixels = level.sculpture.tolerancePixels;
   input.maxTriangles = level.sculpture.maxTriangles;
+  input.mistakes = level.sculpture.mistakes;
   return input;
 }
 
@@ -165,7 +167,7 @@ MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
 SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture) {
   SceneInput scene;
   scene.surfaces.push_back(surfaceOf("sculpture", sculpture.prepared, level.sculpture.material));
-  if (!findShapeProblem(level.optic.shape)) {
+  if (level.optic.kind == OpticKind::mirror && !findShapeProblem(level.optic.shape)) {
     scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
   }
   if (level.ground.visible) {

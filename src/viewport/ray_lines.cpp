@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "anamorphosis/vertex_ray.h"
 
@@ -93,14 +94,14 @@ std::vector<VertexRay> sampleVertexRays(const Level& level, const Mesh& original
   for (std::size_t i = 0; i < wanted; ++i) {
     // At the middle of each of `wanted` equal parts of the list.
     const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
-    rays.push_back(
-        makeVertexRay(level.optic, level.camera.eye, original.positions[vertex], level.sculpture.depthScale));
+    rays.push_back(makeVertexRay(level.optic, level.camera.eye, original.positions[vertex],
+                                 level.sculpture.depthScale, level.sculpture.mistakes));
   }
   return rays;
 }
 
 // The two legs of a vertex ray, or the one that it has when it is not mapped.
-std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings) {
+std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings, bool passes) {
   const bool mapped = ray.status == PathStatus::mapped;
   if (!mapped && settings.hideNoHit) return {};
   Line first = rayStyle(mapped ? RayKind::camera : RayKind::noHit), second = rayStyle(RayKind::reflected);
@@ -109,6 +110,10 @@ std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings) {
   if (!mapped) {
     first.to = ray.status == PathStatus::missesMirror ? ray.eye + missLength * (ray.original - ray.eye)
                                                       : ray.original;
+    return {first};
+  }
+  if (passes) {  // nothing bends it
+    first.to = ray.sculpture;
     return {first};
   }
   first.to = second.from = ray.mirror;
@@ -128,6 +133,19 @@ double secondsFor(double length, const RaySettings& settings) {
 
 double travelledIn(double seconds, const RaySettings& settings) {
   return settings.animate ? seconds * settings.speed : std::numeric_limits<double>::infinity();
+}
+
+// Lengths along the way to seconds, in order; those that no eye could tell apart count once.
+std::vector<double> stopsAt(std::vector<double> ways, const RaySettings& settings) {
+  ways.push_back(0);
+  std::sort(ways.begin(), ways.end());
+  const double gap = 1e-3 * ways.back();
+  std::vector<double> stops;
+  for (const double way : ways) {
+    if (stops.empty() || way - stops.back() > gap) stops.push_back(way);
+  }
+  for (double& stop : stops) stop = secondsFor(stop, settings);
+  return stops;
 }
 
 Color hex(int rgb) {
@@ -187,7 +205,7 @@ std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, c
   double travelled = travelledIn(seconds, settings);
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
     double begin = 0;
-    for (const Line& leg : legsOf(ray, settings)) {
+    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
       const double end = begin + glm::length(leg.to - leg.from);
       addPart(lines, leg, Stretch{begin, end}.share(travelled));
       begin = end;
@@ -211,11 +229,41 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
 double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings) {
   double most = 0, sum = 0;
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
-    const double length = lengthOf(legsOf(ray, settings));
+    const double length = lengthOf(legsOf(ray, settings, level.optic.kind == OpticKind::none));
     most = std::max(most, length);
     sum += length;
   }
   return secondsFor(settings.sequential ? sum : most, settings);
+}
+
+std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
+                                       std::optional<std::size_t> only) {
+  std::vector<double> ways;
+  double begin = 0;
+  visitTrees(trees, only, [&](const RayTree& tree) {
+    const std::vector<Stretch> stretches = stretchesOf(tree);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const RaySegment& segment = tree.segments[i];
+      if (isShown(segment, contributionOf(segment, tree), settings)) ways.push_back(begin + stretches[i].end);
+    }
+    if (settings.sequential) begin += wayOf(tree, stretches, settings);
+  });
+  return stopsAt(std::move(ways), settings);
+}
+
+std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
+                                            const RaySettings& settings) {
+  std::vector<double> ways;
+  double begin = 0;
+  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+    double end = begin;
+    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+      end += glm::length(leg.to - leg.from);
+      ways.push_back(end);
+    }
+    if (settings.sequential) begin = end;
+  }
+  return stopsAt(std::move(ways), settings);
 }
 
 }  // namespace anamorph

@@ -32,4 +32,11 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
                             std::optional<std::size_t> only);
 double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings);
 
+/// The seconds at which a piece of a ray ends, each once and in order: where an animation that is stepped by
+/// hand stops. The first is 0.
+std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
+                                       std::optional<std::size_t> only);
+std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
+                                            const RaySettings& settings);
+
 }  // namespace anamorph

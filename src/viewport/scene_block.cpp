@@ -185,7 +185,7 @@ Visible findVisible(const ViewportInput& input, const SurfacePlaces& places, dou
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && camera.screenDistance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  visible.mirror = !findShapeProblem(input.level.optic.shape);
+  visible.mirror = input.level.optic.kind == OpticKind::mirror && !findShapeProblem(input.level.optic.shape);
   return visible;
 }
 

@@ -32,7 +32,7 @@ TEST(PreferencesFile, RoundTrip) {
   for (const Theme theme : {Theme::dark, Theme::light, Theme::projector}) {
     for (const double scale : {0.0, 0.75, 1.1, 2.5, 3.0}) {
       for (const bool flag : {false, true}) {
-        const Preferences p{theme, scale, flag, !flag, 300, 500, 700};
+        const Preferences p{theme, scale, flag, !flag, flag, 300, 500, 700, flag ? "nl" : ""};
         savePreferences(path, p);
         std::string message = "untouched";
         EXPECT_EQ(loadPreferences(path, message), p);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "error_text.h"
 #include "base/file.h"
+#include "error_text.h"
 #include "level/level_fields.h"
 #include "level/random_level.h"
 
@@ -74,13 +74,14 @@ TEST(LevelJson, ReadsEveryField) {
                        true,
                        {Point(7, 8, 9), Vector(10, 20, 30), Vector(1, 2, 3)},
                        {Color(0.5, 0.6, 0.7), 0.11, 0.12, 0.13, 14}};
-  expected.sculpture = {0.5, 0, 1000, 256, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}};
+  expected.sculpture = {0.5, 0, 1000, 256, {true, false, true}, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}};
   expected.lights = {{Point(1, 1, 1), Color(0.3, 0.2, 0.1), 0.9}};
   expected.background = {Color(0.1, 0.1, 0.1), Color(0.2, 0.2, 0.2)};
   expected.ground = {false, -1};
   expected.tracing = {5, false, 4};
   expected.view = {Point(9, 8, 7), Point(6, 5, 4), 50};
-  expected.lesson = R"({"steps": [{"text": "Move the eye", "done": {"eyeMoved": 0.5}}]})";
+  expected.lesson =
+      R"({"id": "every", "steps": [{"id": "eye", "title": "Aside", "why": "To see.", "do": "Move the eye", "done": [{"when": "movedEye"}]}]})";
   EXPECT_TRUE(parseLevel(baseText(), "l.json").level == expected);
 }
 
@@ -177,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLevel{"NoOriginal", "\"original\"", "\"Original\"",
                  "expected the key \"original\", got an object without it"},
         BadLevel{"UnknownOptic", "\"mirror\"", "\"glass\"",
-                 "/optic/kind: expected \"mirror\", got \"glass\""},
+                 "/optic/kind: expected \"mirror\" or \"none\", got \"glass\""},
         BadLevel{"NoOpticKind", "\"kind\"", "\"sort\"",
                  "/optic: expected the key \"kind\", got an object without it"},
         BadLevel{"UnknownMirror", "\"type\": \"cylinder\"", "\"type\": \"cone\"",
@@ -296,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "/view/fovDegrees: expected a number from 1 to 170, got 171"},
         BadLevel{
             "BrokenAtTheEnd", "\"fovDegrees\": 50", "\"fovDegrees\" 50",
-            "line 38, column 65: syntax error while parsing object separator - unexpected number literal; "
+            "line 39, column 65: syntax error while parsing object separator - unexpected number literal; "
             "expected ':'"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 

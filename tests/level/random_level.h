@@ -17,19 +17,22 @@ class RandomLevel {
     Level level;
     level.title = text();
     level.description = text();
-    level.optic.shape = mirror();
+    level.optic = {coin() ? OpticKind::mirror : OpticKind::none, mirror()};
     level.mirrorLook = {color(), share()};
     level.camera = camera();
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
-    level.sculpture = {between(0.01, 100), coin() ? 0 : between(0.001, 1000),
-                       static_cast<std::size_t>(whole(1, 100000000)), whole(16, 16384), material()};
+    level.sculpture = {
+        between(0.01, 100), coin() ? 0 : between(0.001, 1000), static_cast<std::size_t>(whole(1, 100000000)),
+        whole(16, 16384),   {coin(), coin(), coin()},          material()};
     level.lights.resize(static_cast<std::size_t>(whole(0, 4)));
     for (PointLight& light : level.lights) light = {point(), color(), between(0, 1000)};
     level.background = {color(), color()};
     level.ground = {coin(), coordinate()};
     level.tracing = {whole(0, 8), coin(), whole(1, 4)};
     level.view = {point(), point(), between(1, 170)};
-    if (coin()) level.lesson = R"({"steps": [{"text": "é\n", "done": 1.50}, null, true, []]})";
+    if (coin())
+      level.lesson =
+          R"({"id": "é\n", "steps": [{"id": "1", "title": "", "why": "\\", "do": "", "done": []}]})";
     if (coin())
       level.unknownKeys = {{"/optic/shape", "a/b~", "[1, {\"c\": -0.0}]"},
                            {"", "zoom", "12345678901234567890"}};

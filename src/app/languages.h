@@ -1,0 +1,27 @@
+// The languages that are installed: one JSON file each in assets/languages, with the English text of
+// everything that is shown and what it is in that language. A new language is one more file.
+//
+//   {"format": "anamorph-language", "version": 1, "name": "Nederlands", "texts": {"Save": "Opslaan", ...}}
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/language.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+/// Throws Error `file: where: expected, got`; also for a translation with other {} places than its English.
+TextTable loadTexts(const std::filesystem::path& file, std::string* name = nullptr);
+
+/// English first, then the files of the folder by name, which is their code; those that cannot be read are
+/// left out.
+std::vector<LanguageChoice> listLanguages();
+
+/// Switches everything to a language; an unknown or broken one is an Error and changes nothing. "": as the
+/// system is set ($LC_ALL, $LC_MESSAGES, $LANG), English when that is not installed.
+void chooseLanguage(const std::string& code);
+
+}  // namespace anamorph

@@ -1,0 +1,82 @@
+#include "app/progress_file.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/state_folder.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "level/json_object.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = JsonValue::Kind;
+
+const JsonValue* find(const JsonValue& object, const char* key) {
+  const auto found = std::find(object.keys.begin(), object.keys.end(), key);
+  return found == object.keys.end() ? nullptr
+                                    : &object.items[static_cast<std::size_t>(found - object.keys.begin())];
+}
+
+LessonProgress parse(const JsonValue& json, const std::string& file) {
+  const auto expect = [&](bool holds, const std::string& where, const char* what, const JsonValue* got) {
+    if (holds) return;
+    throw Error(fmt::format("expected {}, got {}", what, got ? describeJson(*got) : "nothing"), file, where);
+  };
+  const JsonValue* format = find(json, "format");
+  expect(format && format->text == "anamorph-progress", "/format", "\"anamorph-progress\"", format);
+  const JsonValue* lessons = find(json, "lessons");
+  expect(lessons && lessons->kind == Kind::object, "/lessons", "an object", lessons);
+  LessonProgress progress;
+  for (std::size_t i = 0; i < lessons->keys.size(); ++i) {
+    const std::string where = joinJsonPath("/lessons", lessons->keys[i]);
+    expect(lessons->items[i].kind == Kind::array, where, "an array of step ids", &lessons->items[i]);
+    for (const JsonValue& step : lessons->items[i].items) {
+      expect(step.kind == Kind::string, where, "an array of step ids", &step);
+      progress[lessons->keys[i]].insert(step.text);
+    }
+  }
+  return progress;
+}
+
+}  // namespace
+
+fs::path progressPath() {
+  return stateFolder() / "progress.json";
+}
+
+LessonProgress loadProgress(const fs::path& path, std::string& message) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return {};
+  try {
+    return parse(parseJson(readFile(path, std::size_t{1} << 20).view(), path.string()), path.string());
+  } catch (const Error& error) {
+    message = error.what();
+    fs::copy_file(path, path.string() + ".broken", fs::copy_options::overwrite_existing, ignored);
+    return {};
+  }
+}
+
+void saveProgress(const fs::path& path, const LessonProgress& progress) {
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) throw Error("cannot make the folder: " + failure.message(), path.parent_path().string());
+  JsonObject lessons;
+  for (const auto& [lesson, steps] : progress) {
+    JsonValue list{Kind::array, {}, 0, {}, {}};
+    for (const std::string& step : steps) list.items.push_back({Kind::string, step, 0, {}, {}});
+    lessons.add(lesson, std::move(list));
+  }
+  writeFile(path, formatJson(JsonObject()
+                                 .add("format", std::string("anamorph-progress"))
+                                 .add("version", std::size_t{1})
+                                 .add("lessons", lessons.value())
+                                 .value()) +
+                      "\n");
+}
+
+}  // namespace anamorph

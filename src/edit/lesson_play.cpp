@@ -1,0 +1,134 @@
+// "Show me": the move of a step, made before the student's eyes.
+
+#include <algorithm>
+
+#include "edit/lesson_run.h"
+#include "edit/level_edits.h"
+#include "edit/workspace.h"
+
+namespace anamorph {
+namespace {
+
+OriginalShape shapeNamed(const std::string& name, const OriginalShape& otherwise) {
+  if (name == "box") return BoxShape{};
+  if (name == "sphere") return SphereShape{};
+  if (name == "torusKnot") return TorusKnotShape{};
+  if (name == "letterF") return LetterFShape{};
+  if (name == "pawn") return PawnShape{};
+  return otherwise;
+}
+
+MirrorShape mirrorNamed(const std::string& name, const MirrorShape& old) {
+  const Point c = middleOf(old);
+  if (name == shapeName(old) || name.empty()) return old;
+  if (name == "plane") {
+    return PlaneMirror{
+        {c + Vector(-5, 0, -4), c + Vector(5, 0, -4), c + Vector(5, 0, 4), c + Vector(-5, 0, 4)}};
+  }
+  if (name == "cylinder") return CylinderMirror{c - Vector(0, 0, 5), c + Vector(0, 0, 5), 3};
+  return SphereMirror{c, 4};
+}
+
+void putRight(Mistakes& mistakes, const std::string& which) {
+  if (which == "direction") mistakes.direction = false;
+  if (which == "distance") mistakes.distance = false;
+  if (which == "normal") mistakes.normal = false;
+}
+
+// Slow at both ends.
+double eased(double t) {
+  return t * t * (3 - 2 * t);
+}
+
+// The level so far into the move, 0..1. What cannot be half done is done from the beginning.
+Level levelAt(const StepMove& move, const Level& from, double share) {
+  Level level = from;
+  const auto towards = [&](auto& value, const auto& goal) {
+    if (goal) value = share >= 1 ? *goal : glm::mix(value, *goal, eased(share));
+  };
+  towards(level.camera.eye, move.eye);
+  towards(level.original.placement.position, move.original);
+  towards(level.sculpture.depthScale, move.depthScale);
+  towards(level.camera.fovDegrees, move.fovDegrees);
+  if (move.mirror) {
+    const Vector way = *move.mirror - middleOf(from.optic.shape);
+    level = moved(level, {Part::mirror}, (share >= 1 ? 1 : eased(share)) * way);
+  }
+  if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
+  level.original.shape = shapeNamed(move.shape, level.original.shape);
+  level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape);
+  putRight(level.sculpture.mistakes, move.putRight);
+  return level;
+}
+
+void playView(Workspace& work, const StepMove& move) {
+  if (move.viewEye || move.viewTarget) {
+    ViewPose pose = work.pose;
+    pose.eye = move.viewEye.value_or(pose.eye);
+    pose.target = move.viewTarget.value_or(pose.target);
+    pose.up = {0, 0, 1};
+    flyTo(work, pose);
+  }
+  if (move.lookThrough && !work.lookingThrough) toggleLookThrough(work);
+  if (move.preview == "reflection") work.preview.tab = PreviewTab::reflection;
+  if (move.preview == "original") work.preview.tab = PreviewTab::original;
+  if (move.preview == "difference") work.preview.tab = PreviewTab::difference;
+  if (move.preview == "wipe") work.preview.tab = PreviewTab::wipe;
+  if (!move.rays.empty()) {
+    work.rays.show = true;
+    work.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;
+  }
+  if (move.animate) {
+    work.rays.show = work.rays.animate = true;
+    work.animationPaused = false;
+    work.animationSeconds = 0;
+  }
+  if (move.wireframe) work.display.wireframe = true;
+  if (move.vertex && work.studio.products().original.mesh) {
+    work.point =
+        pickedVertex(*work.studio.products().original.mesh, static_cast<std::uint32_t>(*move.vertex));
+  }
+  if (move.pixel) work.cell = GridCell{(*move.pixel)[0], (*move.pixel)[1]};
+  if (move.undo) work.session.undo();
+}
+
+}  // namespace
+
+void playStep(Workspace& work) {
+  LessonRun& run = work.lesson;
+  if (run.empty() || !run.open().show.play) return;
+  finishPlay(work);
+  work.session.finishChange();
+  playView(work, *run.open().show.play);
+  run.play =
+      StepPlay{*run.open().show.play, work.session.level(), work.session.level(), work.display.morph, 0};
+}
+
+bool advancePlay(Workspace& work, double seconds) {
+  std::optional<StepPlay>& play = work.lesson.play;
+  if (!play) return false;
+  if (!(work.session.level() == play->last)) {  // somebody else has taken over
+    play.reset();
+    return true;
+  }
+  play->seconds += seconds;
+  const double share = std::min(1.0, play->seconds / StepPlay::duration);
+  Level level = levelAt(play->move, play->from, share);
+  if (!(level == play->last)) work.session.change(level);
+  play->last = std::move(level);
+  if (play->move.morph) {
+    work.display.morph =
+        share >= 1 ? *play->move.morph : glm::mix(play->morphFrom, *play->move.morph, eased(share));
+  }
+  if (share >= 1) {
+    work.session.finishChange();
+    play.reset();
+  }
+  return true;
+}
+
+void finishPlay(Workspace& work) {
+  if (work.lesson.play) advancePlay(work, StepPlay::duration);
+}
+
+}  // namespace anamorph

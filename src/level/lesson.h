@@ -1,0 +1,127 @@
+// A lesson: the steps that a level leads its student through, as data in the level file. A step says why,
+// what to do and what to notice; it is done when what it waits for has been observed (edit/lesson_run.h), and
+// it can show how: by pointing at a control or a thing, and by making the move itself.
+//
+//   "lesson": {
+//     "id": "plane",
+//     "badge": {"title": "...", "text": "..."},
+//     "steps": [{"id": "aside", "title": "...", "why": "...", "do": "...", "notice": "...",
+//                "done": [{"when": "movedEye"}],
+//                "show": {"tab": "eye", "widget": "Position", "play": {"eye": [3, -11, 6.5]}}}]
+//   }
+//
+// The vocabulary is small and checked: what is not in it is an Error with its JSON pointer. levels/README.md
+// explains all of it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/vec.h"
+
+namespace anamorph {
+
+/// What a step can wait for. Those with a value or a name say so.
+enum class StepEvent {
+  movedEye,
+  movedOriginal,    ///< or turned, or scaled
+  movedMirror,      ///< or its size
+  changedOriginal,  ///< another shape or file
+  changedMirror,    ///< what: "plane", "cylinder", "sphere"
+  depthScaleChanged,
+  toleranceOff,
+  toleranceOn,
+  pickedPixel,
+  pickedVertex,
+  viewed,  ///< what: "reflection", "original", "difference", "wipe"
+  lookedThrough,
+  rotatedView,  ///< the 3D view, by more than 10 degrees
+  morphed,      ///< the slider was moved to below a half
+  raysOf,       ///< what: "pixels", "vertices"
+  animatedRays,
+  wireframe,   ///< triangle edges are shown
+  matchAbove,  ///< value: silhouette IoU, 0..1
+  matchBelow,
+  hiddenShareAbove,  ///< value: 0..1
+  hiddenShareBelow,
+  putRight,  ///< what: "direction", "distance", "normal"
+  undone,
+  exported,
+};
+inline constexpr std::array stepEvents{
+    "movedEye",         "movedOriginal",     "movedMirror",  "changedOriginal",
+    "changedMirror",    "depthScaleChanged", "toleranceOff", "toleranceOn",
+    "pickedPixel",      "pickedVertex",      "viewed",       "lookedThrough",
+    "rotatedView",      "morphed",           "raysOf",       "animatedRays",
+    "wireframe",        "matchAbove",        "matchBelow",   "hiddenShareAbove",
+    "hiddenShareBelow", "putRight",          "undone",       "exported"};
+
+struct StepCondition {
+  StepEvent when = StepEvent::movedEye;
+  double value = 0;
+  std::string what;
+  bool operator==(const StepCondition&) const = default;
+};
+
+/// A move that "show me" makes. What is absent stays as it is.
+struct StepMove {
+  std::optional<Point> eye, original, mirror;  ///< where it goes
+  std::optional<double> depthScale;
+  std::optional<double> tolerancePixels;  ///< 0: off
+  std::optional<double> fovDegrees;
+  std::optional<double> morph;               ///< 0: the original
+  std::optional<Point> viewEye, viewTarget;  ///< of the 3D view
+  std::optional<int> vertex;                 ///< of the original, to be picked
+  std::optional<std::array<int, 2>> pixel;   ///< of the pixel grid, to be picked
+  std::string preview;                       ///< a tab, as for `viewed`
+  std::string rays;                          ///< as for `raysOf`
+  std::string putRight;                      ///< as for the event
+  std::string shape;                         ///< of the original: "box", "sphere", "torusKnot", ...
+  std::string mirrorKind;                    ///< as for `changedMirror`
+  bool lookThrough = false;
+  bool animate = false;  ///< the rays
+  bool wireframe = false;
+  bool undo = false;
+  bool operator==(const StepMove&) const = default;
+};
+
+/// How a step shows what it means.
+struct StepShow {
+  std::string tab;     ///< of the properties, see stepTabs; empty: none
+  std::string widget;  ///< the English name of a control there, or of a button in the view or the preview
+  std::optional<StepMove> play;
+  bool operator==(const StepShow&) const = default;
+};
+inline constexpr std::array stepTabs{"eye", "original", "mirror", "sculpture", "lights", "rays", "view"};
+inline constexpr std::array stepFigures{"perspective", "construction", "columns", "edges", "occlusion"};
+
+struct LessonStep {
+  std::string id;  ///< unique in the lesson; progress is kept under it
+  std::string title, why, task, notice;
+  std::string figure;  ///< one of stepFigures; empty: none
+  bool optional = false;
+  std::vector<StepCondition> done;  ///< all of them, in any order; none: the step is only read
+  StepShow show;
+  bool operator==(const LessonStep&) const = default;
+};
+
+/// What a student gets for all steps that are not optional.
+struct Badge {
+  std::string title, text;
+  bool operator==(const Badge&) const = default;
+};
+
+struct Lesson {
+  std::string id;  ///< progress is kept under it
+  Badge badge;
+  std::vector<LessonStep> steps;
+  bool operator==(const Lesson&) const = default;
+};
+
+/// The lesson in a level's text; without steps for "". Throws Error with the JSON pointer from "/lesson" on.
+Lesson parseLesson(std::string_view json, const std::string& fileName);
+
+}  // namespace anamorph

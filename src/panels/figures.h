@@ -1,0 +1,14 @@
+// The drawings of lessons and help, made of lines and letters: sharp at every scale, in the colours of the
+// theme and of the rays.
+#pragma once
+
+#include <string>
+
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+/// Draws a figure (stepFigures in level/lesson.h) as wide as the column; nothing for an unknown name.
+void drawFigure(const std::string& name, const UiState& ui);
+
+}  // namespace anamorph

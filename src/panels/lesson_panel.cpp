@@ -1,0 +1,128 @@
+// The lesson of the open level: one step at a time, with what to do and a way on.
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/language.h"
+#include "panels/actions.h"
+#include "panels/lesson_text.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+void title(const UiState& ui, const std::string& text) {
+  const FontScope large(ui.fonts.title);
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(tr(text.c_str()));
+  ImGui::PopTextWrapPos();
+}
+
+void drawHead(Workspace& work, UiState& ui) {
+  const LessonRun& run = work.lesson;
+  const LessonScore score = scoreOf(run.lesson, work.progress);
+  drawStepDots(work, ui);
+  std::string line = stepCount(run);
+  if (run.open().optional) line += fmt::format(", {}", tr("optional"));
+  quietText(ui, line.c_str());
+  const std::string points = fmt::format(fmt::runtime(tr("{} of {} points")), score.points, score.of);
+  const float x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(points.c_str()).x;
+  ImGui::SameLine(x);
+  quietText(ui, points.c_str());
+}
+
+// The way on is the most visible button when there is nothing left to do here.
+bool button(const char* name, const char* help, float width, bool enabled, bool strong) {
+  if (strong) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+  ImGui::BeginDisabled(!enabled);
+  const bool pressed = ImGui::Button((std::string(tr(name)) + "###" + name).c_str(), {width, 0});
+  ImGui::EndDisabled();
+  if (strong) ImGui::PopStyleColor();
+  tooltip(help);
+  return pressed;
+}
+
+void drawButtons(Workspace& work, UiState& ui) {
+  const LessonRun& run = work.lesson;
+  const bool last = run.step + 1 == run.lesson.steps.size(), reads = run.open().done.empty();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (button("Show me", "Points at the control, and makes the move of this step.", half, canShow(run),
+             false)) {
+    showStep(work, ui);
+  }
+  ImGui::SameLine();
+  if (button("Reset the level", "As it was opened. Can be undone.", half, work.session.modified(), false)) {
+    perform(Action::resetLevel, work, ui);
+  }
+  if (button("Back", "The step before.", half, run.step > 0, false)) perform(Action::previousStep, work, ui);
+  ImGui::SameLine();
+  const bool readLast = last && reads && !run.done;
+  if (last && !readLast) {
+    const bool more = hasNextLevel(work, ui);
+    if (button("Next level", "", half, more, run.done)) perform(Action::nextLevel, work, ui);
+    return;
+  }
+  const char* name = readLast ? "Done" : run.done || reads ? "Next" : "Skip";
+  if (button(name, "The next step.", half, true, run.done || reads)) perform(Action::nextStep, work, ui);
+}
+
+void drawBadge(const Workspace& work, const UiState& ui) {
+  const LessonRun& run = work.lesson;
+  if (!scoreOf(run.lesson, work.progress).badge) return;
+  ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
+  const float size = ImGui::GetFontSize();
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  drawStar({p.x + size / 2, p.y + size / 2}, size / 2);
+  ImGui::Dummy({size, size});
+  ImGui::SameLine();
+  {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::TextUnformatted(tr(run.lesson.badge.title.c_str()));
+  }
+  quietText(ui, run.lesson.badge.text.c_str());
+}
+
+void drawLesson(Workspace& work, UiState& ui) {
+  drawHead(work, ui);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
+  ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false);
+  if (ui.scrolledStep != work.lesson.step) {
+    ImGui::SetScrollY(0);
+    ui.scrolledStep = work.lesson.step;
+  }
+  title(ui, work.lesson.open().title);
+  drawStepText(work.lesson, ui);
+  drawBadge(work, ui);
+  ImGui::EndChild();
+  drawButtons(work, ui);
+}
+
+void drawDescription(Workspace& work, UiState& ui) {
+  const Level& level = work.session.level();
+  title(ui, level.title.empty() ? "A level without a title" : level.title);
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(tr(level.description.c_str()));
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
+  if (wideButton("Reset the level", "As it was opened. Can be undone.", work.session.modified())) {
+    perform(Action::resetLevel, work, ui);
+  }
+}
+
+}  // namespace
+
+void drawLessonPanel(Workspace& work, UiState& ui) {
+  if (!beginPanel("lesson", ui.layout.lesson)) return;
+  if (work.lesson.empty()) {
+    drawDescription(work, ui);
+  } else {
+    drawLesson(work, ui);
+  }
+  ImGui::End();
+}
+
+}  // namespace anamorph

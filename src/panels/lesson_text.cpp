@@ -1,0 +1,116 @@
+#include "panels/lesson_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/language.h"
+#include "panels/figures.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double highlightSeconds = 6;
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(tr(text.c_str()));
+  ImGui::PopTextWrapPos();
+}
+
+// Text beside a bar of some colour.
+void barred(const std::string& text, const ImVec4& color, const UiState& ui) {
+  const float s = static_cast<float>(ui.scale), inset = 11 * s;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::Indent(inset);
+  wrapped(text);
+  ImGui::Unindent(inset);
+  const float to = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
+  ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y}, {from.x + 4 * s, to},
+                                            ImGui::ColorConvertFloat4ToU32(color), 2 * s);
+}
+
+}  // namespace
+
+void drawStepText(const LessonRun& run, const UiState& ui) {
+  const LessonStep& step = run.open();
+  const Theme theme = ui.preferences.theme;
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  wrapped(step.why);
+  if (!step.figure.empty()) {
+    ImGui::Dummy({0, gap / 2});
+    drawFigure(step.figure, ui);
+  }
+  ImGui::Dummy({0, gap / 2});
+  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), ui);
+  if (run.done && !step.notice.empty()) {
+    ImGui::Dummy({0, gap / 2});
+    barred(step.notice, ink::good(theme), ui);
+  }
+}
+
+void drawStepDots(Workspace& work, const UiState& ui) {
+  const LessonRun& run = work.lesson;
+  const float s = static_cast<float>(ui.scale);
+  const auto count = static_cast<float>(run.lesson.steps.size());
+  const float room = ImGui::GetContentRegionAvail().x, cell = std::min(22 * s, room / std::max(1.0f, count));
+  const float height = 20 * s;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  std::optional<std::size_t> wanted;
+  for (std::size_t i = 0; i < run.lesson.steps.size(); ++i) {
+    const LessonStep& step = run.lesson.steps[i];
+    const bool done = isDone(run.lesson, step, work.progress), open = i == run.step;
+    ImGui::PushID(static_cast<int>(i));
+    if (i > 0) ImGui::SameLine(0, 0);
+    const ImVec2 p = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("dot", {cell, height})) wanted = i;
+    const ImVec2 middle{p.x + cell / 2, p.y + height / 2};
+    const float r = (step.optional ? 3.4f : 5) * s;
+    const ImU32 color = ImGui::ColorConvertFloat4ToU32(done ? ink::good(ui.preferences.theme)
+                                                            : ink::quiet(ui.preferences.theme));
+    if (done) {
+      list->AddCircleFilled(middle, r, color);
+    } else {
+      list->AddCircle(middle, r, color, 0, 1.6f * s);
+    }
+    if (open) {
+      list->AddCircle(middle, 8 * s, ImGui::ColorConvertFloat4ToU32(ink::accent(ui.preferences.theme)), 0,
+                      2 * s);
+    }
+    tooltip(step.optional ? fmt::format("{} ({})", tr(step.title), tr("optional")).c_str()
+                          : step.title.c_str());
+    ImGui::PopID();
+  }
+  if (wanted) openStep(work, *wanted);
+}
+
+std::string stepCount(const LessonRun& run) {
+  return fmt::format(fmt::runtime(tr("Step {} of {}")), run.step + 1, run.lesson.steps.size());
+}
+
+bool canShow(const LessonRun& run) {
+  const StepShow& show = run.open().show;
+  return show.play || !show.widget.empty();
+}
+
+void showStep(Workspace& work, UiState& ui) {
+  if (work.lesson.empty()) return;
+  const StepShow& show = work.lesson.open().show;
+  const auto tab = std::find(stepTabs.begin(), stepTabs.end(), show.tab);
+  if (tab != stepTabs.end()) openTab(work, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
+  ui.highlight = show.widget;
+  ui.highlightSeconds = show.widget.empty() ? 0 : highlightSeconds;
+  playStep(work);
+}
+
+void updateHighlight(UiState& ui, double seconds) {
+  ui.highlightSeconds = std::max(0.0, ui.highlightSeconds - seconds);
+  if (ui.highlightSeconds == 0) ui.highlight.clear();
+  pointAt(ui.highlight);
+}
+
+}  // namespace anamorph

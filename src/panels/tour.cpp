@@ -1,0 +1,118 @@
+// What is where: five cards of four seconds, each beside the part of the window that it tells of. Any of them
+// can be skipped, all of them at once, and the menu Help shows them again.
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/language.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double cardSeconds = 4;
+
+struct Card {
+  Rect Layout::*part;
+  const char* title;
+  const char* text;
+};
+constexpr std::array cards{
+    Card{&Layout::view, "The scene",
+         "A sculpture, a mirror, and the RT camera that looks into it. Drag to turn, use the wheel to come "
+         "nearer, "
+         "click a thing to select it and drag its arrows."},
+    Card{&Layout::lesson, "The lesson",
+         "One step at a time: why, what to do, and what to notice. Show me makes the move for you."},
+    Card{&Layout::properties, "The properties",
+         "The numbers of what is selected. Drag one, or double click to type."},
+    Card{&Layout::preview, "What the eye sees",
+         "The RT camera's picture, traced ray by ray, and how well it matches the original."},
+    Card{&Layout::left, "The levels",
+         "Begin with the first. F1 shows all keys, and Ctrl+Z takes back everything."},
+};
+
+// In a window of its own, below the card and above the panels.
+void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(display);
+  ImGui::Begin("##tour-dim", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImU32 dim = IM_COL32(0, 0, 0, 120);
+  list->AddRectFilled({0, 0}, {display.x, r.y}, dim);
+  list->AddRectFilled({0, r.y + r.height}, display, dim);
+  list->AddRectFilled({0, r.y}, {r.x, r.y + r.height}, dim);
+  list->AddRectFilled({r.x + r.width, r.y}, {display.x, r.y + r.height}, dim);
+  const float s = static_cast<float>(ui.scale);
+  list->AddRect({r.x + s, r.y + s}, {r.x + r.width - s, r.y + r.height - s}, IM_COL32(255, 120, 0, 255),
+                3 * s, 0, 3 * s);
+  ImGui::End();
+}
+
+void finish(UiState& ui) {
+  ui.tourCard = -1;
+  ui.preferences.tourSeen = true;
+}
+
+void nextCard(UiState& ui) {
+  ui.tourSeconds = 0;
+  if (++ui.tourCard >= static_cast<int>(cards.size())) finish(ui);
+}
+
+void drawCard(UiState& ui, const Card& card) {
+  {
+    const FontScope title(ui.fonts.title);
+    ImGui::TextUnformatted(tr(card.title));
+  }
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(tr(card.text));
+  ImGui::PopTextWrapPos();
+  ImGui::ProgressBar(static_cast<float>(std::min(1.0, ui.tourSeconds / cardSeconds)),
+                     {-FLT_MIN, 3 * static_cast<float>(ui.scale)}, "");
+  const bool last = ui.tourCard + 1 == static_cast<int>(cards.size());
+  if (ImGui::Button(tr(last ? "Begin" : "Next"))) return nextCard(ui);
+  if (last) return;
+  ImGui::SameLine();
+  if (ImGui::Button(tr("Skip the tour"))) finish(ui);
+}
+
+}  // namespace
+
+void drawTour(Workspace&, UiState& ui) {
+  if (ui.tourCard < 0) return;
+  const auto index = static_cast<std::size_t>(ui.tourCard);
+  if (index >= cards.size()) return finish(ui);
+  const Card& card = cards[index];
+  const Rect rect = ui.layout.*card.part;
+  if (rect.empty()) return nextCard(ui);  // a small window has not got it
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  dimAround(rect, display, ui);
+  // In the middle of the view: beside all parts, and in none but it.
+  const Rect& view = ui.layout.view;
+  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height / 2}, ImGuiCond_Always,
+                          {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(340 * s, display.x), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * s);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * s, 12 * s});
+  ImGui::Begin("##tour", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav);
+  const bool reading = ImGui::IsWindowHovered();
+  drawCard(ui, card);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  if (ui.tourCard < 0 || reading) return;
+  ui.tourSeconds += static_cast<double>(ImGui::GetIO().DeltaTime);
+  if (ui.tourSeconds >= cardSeconds) nextCard(ui);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,65 @@
+#include "app/progress_file.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "cli/program.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+
+TEST(ProgressFile, RoundTrip) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "state/anamorph/progress.json";
+  for (const LessonProgress& progress :
+       {LessonProgress{},
+        LessonProgress{{"plane", {"a", "b"}}, {"a \"quoted\" é lesson", {"1"}}, {"x", {}}}}) {
+    saveProgress(path, progress);
+    std::string message;
+    LessonProgress loaded = loadProgress(path, message);
+    loaded["x"];  // a lesson without steps need not be remembered
+    LessonProgress expected = progress;
+    expected["x"];
+    EXPECT_EQ(loaded, expected);
+    EXPECT_EQ(message, "");
+  }
+}
+
+TEST(ProgressFile, ABrokenOneIsKeptAndSaid) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "progress.json";
+  const std::pair<const char*, const char*> bad[] = {
+      {"{", "syntax error"},
+      {R"({"format": "other"})", "/format: expected \"anamorph-progress\", got \"other\""},
+      {R"({"format": "anamorph-progress"})", "/lessons: expected an object, got nothing"},
+      {R"({"format": "anamorph-progress", "lessons": {"a": 3}})",
+       "/lessons/a: expected an array of step ids, got 3"},
+      {R"({"format": "anamorph-progress", "lessons": {"a": [1]}})",
+       "/lessons/a: expected an array of step ids, got 1"}};
+  for (const auto& [text, expected] : bad) {
+    writeFile(path, text);
+    std::string message;
+    EXPECT_TRUE(loadProgress(path, message).empty());
+    EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_EQ(readFile(path + ".broken", 1000).view(), text);
+  }
+}
+
+TEST(ProgressFile, WithoutOneNothingIsDone) {
+  const TemporaryFolder folder;
+  std::string message;
+  EXPECT_TRUE(loadProgress(folder / "none.json", message).empty());
+  EXPECT_EQ(message, "");
+}
+
+TEST(ProgressFile, AFolderThatCannotBeMadeIsAnError) {
+  EXPECT_THROW(saveProgress("/dev/null/progress.json", {}), Error);
+}
+
+}  // namespace
+}  // namespace anamorph

@@ -1,0 +1,199 @@
+#include "edit/lesson_run.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "edit/level_edits.h"
+#include "edit/workspace.h"
+#include "lesson_levels.h"
+#include "level/level_json.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+
+std::string step(const std::string& id, const std::string& done, const std::string& play = "") {
+  const std::string show = play.empty() ? "{}" : "{\"play\": " + play + "}";
+  return "{\"id\": \"" + id + R"(", "title": "T", "why": "W", "do": "D", "done": )" + done +
+         ", \"show\": " + show + "}";
+}
+
+// A workspace with a small plane level and these steps, settled.
+class LessonRunTest : public ::testing::Test {
+ protected:
+  void open(const std::string& steps) {
+    Level level;
+    std::get<BoxShape>(level.original.shape).segments = 2;
+    level.sculpture.tolerancePixels = 1;
+    level.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}";
+    folder_.save(level);
+    openLevel(work, folder_.path());
+    work.preview.size = 16;
+    settle(work);
+  }
+  void change(const std::function<void(Level&)>& how) {
+    Level level = work.session.level();
+    how(level);
+    work.session.edit(level);
+    settle(work);
+  }
+
+  LevelFile folder_;
+  Workspace work;
+};
+
+TEST_F(LessonRunTest, AMovedEyeCountsWhenTheDragEnds) {
+  open(step("eye", R"([{"when": "movedEye"}])"));
+  EXPECT_FALSE(work.lesson.done);
+  Level level = work.session.level();
+  level.camera.eye.x += 1;
+  work.session.change(level);
+  advance(work, 0.01);
+  EXPECT_FALSE(work.lesson.done) << "the drag goes on";
+  work.session.finishChange();
+  advance(work, 0.01);
+  EXPECT_TRUE(work.lesson.done);
+  EXPECT_EQ(work.progress, (LessonProgress{{"test", {"eye"}}}));
+}
+
+TEST_F(LessonRunTest, AStateThatAlreadyHoldsHasToBeLeftFirst) {
+  open(step("on", R"([{"when": "toleranceOn"}])"));
+  settle(work);
+  EXPECT_FALSE(work.lesson.done);
+  change([](Level& level) { level.sculpture.tolerancePixels = 0; });
+  EXPECT_FALSE(work.lesson.done);
+  change([](Level& level) { level.sculpture.tolerancePixels = 0.5; });
+  EXPECT_TRUE(work.lesson.done);
+}
+
+TEST_F(LessonRunTest, TheMatchIsJudgedWhenItIsSettled) {
+  open(step("worse", R"([{"when": "matchBelow", "value": 0.9}])") + "," +
+       step("better", R"([{"when": "matchAbove", "value": 0.99}])"));
+  EXPECT_FALSE(work.lesson.done);
+  const Level right = work.session.level();
+  change([](Level& level) {
+    level.optic.shape = PlaneMirror{{Point(-8, 0, 0), Point(0, 0, 0), Point(0, 0, 8), Point(-8, 0, 8)}};
+  });
+  EXPECT_TRUE(work.lesson.done);
+  nextStep(work);
+  settle(work);
+  EXPECT_FALSE(work.lesson.done);
+  work.session.edit(right);
+  settle(work);
+  EXPECT_TRUE(work.lesson.done);
+  EXPECT_TRUE(scoreOf(work.lesson.lesson, work.progress).badge);
+}
+
+TEST_F(LessonRunTest, AProblemIsNoMatch) {
+  open(step("worse", R"([{"when": "matchBelow", "value": 0.5}])"));
+  change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
+  ASSERT_TRUE(work.studio.products().problem);
+  EXPECT_TRUE(work.lesson.done);
+}
+
+TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
+  open(step("both", R"([{"when": "viewed", "what": "difference"}, {"when": "depthScaleChanged"}])"));
+  change([](Level& level) { level.sculpture.depthScale = 2; });
+  change([](Level& level) { level.sculpture.depthScale = 1; });
+  EXPECT_FALSE(work.lesson.done);
+  work.preview.tab = PreviewTab::difference;
+  advance(work, 0.01);
+  EXPECT_TRUE(work.lesson.done) << "the depth scale had been changed, though it is back";
+}
+
+TEST_F(LessonRunTest, AStepThatIsOnlyReadIsDoneByNext) {
+  open(step("read", "[]") + "," + step("eye", R"([{"when": "movedEye"}])"));
+  settle(work);
+  EXPECT_FALSE(work.lesson.done);
+  nextStep(work);
+  EXPECT_EQ(work.lesson.step, 1u);
+  EXPECT_EQ(work.progress["test"].count("read"), 1u);
+  nextStep(work);
+  EXPECT_EQ(work.lesson.step, 1u) << "the last";
+  EXPECT_EQ(work.progress["test"].count("eye"), 0u) << "skipping is not doing";
+  previousStep(work);
+  previousStep(work);
+  EXPECT_EQ(work.lesson.step, 0u);
+  EXPECT_TRUE(work.lesson.done) << "once done, always done";
+}
+
+TEST_F(LessonRunTest, ALevelOpensWhereTheStudentLeftOff) {
+  work.progress = {{"test", {"a", "c"}}};
+  open(step("a", "[]") + "," + step("b", "[]") + "," + step("c", "[]"));
+  EXPECT_EQ(work.lesson.step, 1u);
+  work.progress["test"].insert("b");
+  openLevel(work, folder_.path());
+  advance(work, 0.01);
+  EXPECT_EQ(work.lesson.step, 0u) << "all are done";
+}
+
+TEST_F(LessonRunTest, PointsAndBadge) {
+  open(step("a", "[]") + "," + step("b", "[]") +
+       ",{\"id\": \"c\", \"title\": \"\", \"why\": \"\", \"do\": \"\", \"optional\": true}");
+  const Lesson& lesson = work.lesson.lesson;
+  const auto score = [&](std::set<std::string> done) { return scoreOf(lesson, {{"test", std::move(done)}}); };
+  EXPECT_EQ(score({}).points, 0);
+  EXPECT_EQ(score({}).of, 25);
+  EXPECT_EQ(score({"a", "c"}).points, 15);
+  EXPECT_FALSE(score({"a", "c"}).badge);
+  EXPECT_TRUE(score({"a", "b"}).badge);
+  EXPECT_EQ(score({"a", "b", "of an older version"}).done, 2u);
+}
+
+TEST_F(LessonRunTest, ShowMeMovesWithinASecondOrTwoAndIsOneStepBack) {
+  open(step("eye", R"([{"when": "movedEye"}])", R"({"eye": [1, -10, 5], "depthScale": 0.5, "morph": 0.25})"));
+  const Level before = work.session.level();
+  playStep(work);
+  EXPECT_TRUE(isMoving(work));
+  advance(work, 0.7);
+  const Point between = work.session.level().camera.eye;
+  EXPECT_GT(between.x, 0);
+  EXPECT_LT(between.x, 1);
+  EXPECT_FALSE(work.lesson.done);
+  for (int i = 0; i < 100 && work.lesson.play; ++i) advance(work, 0.05);
+  EXPECT_EQ(work.session.level().camera.eye, Point(1, -10, 5));
+  EXPECT_EQ(work.session.level().sculpture.depthScale, 0.5);
+  EXPECT_EQ(work.display.morph, 0.25);
+  EXPECT_TRUE(work.lesson.done);
+  work.session.undo();
+  EXPECT_TRUE(work.session.level() == before);
+}
+
+TEST_F(LessonRunTest, AHandOnTheLevelEndsTheShow) {
+  open(step("eye", R"([{"when": "movedEye"}])", R"({"eye": [1, -10, 5]})"));
+  playStep(work);
+  advance(work, 0.3);
+  Level level = work.session.level();
+  level.camera.eye = {-3, -9, 4};
+  work.session.change(level);
+  advance(work, 0.3);
+  EXPECT_FALSE(work.lesson.play);
+  EXPECT_EQ(work.session.level().camera.eye, Point(-3, -9, 4));
+}
+
+TEST_F(LessonRunTest, EveryPartOfAMove) {
+  open(step("all", "[]",
+            R"({"original": [1, 4, 1], "mirror": [0, 0.5, 4], "fovDegrees": 30, "tolerance": "off",
+       "viewEye": [9, -9, 9], "viewTarget": [0, 0, 1], "vertex": 3, "pixel": [2, 5], "preview": "wipe",
+       "rays": "pixels", "shape": "pawn", "animate": true, "wireframe": true})"));
+  playStep(work);
+  finishPlay(work);
+  for (int i = 0; i < 30; ++i) advance(work, 0.1);
+  const Level& level = work.session.level();
+  EXPECT_EQ(level.original.placement.position, Point(1, 4, 1));
+  EXPECT_LT(glm::length(middleOf(level.optic.shape) - Point(0, 0.5, 4)), 1e-12);
+  EXPECT_EQ(level.camera.fovDegrees, 30);
+  EXPECT_EQ(level.sculpture.tolerancePixels, 0);
+  EXPECT_TRUE(std::holds_alternative<PawnShape>(level.original.shape));
+  EXPECT_EQ(work.pose.eye, Point(9, -9, 9));
+  EXPECT_TRUE(work.point);
+  EXPECT_EQ(work.cell, (GridCell{2, 5}));
+  EXPECT_EQ(work.preview.tab, PreviewTab::wipe);
+  EXPECT_EQ(work.rays.source, RaySource::pixels);
+  EXPECT_TRUE(work.rays.animate && work.display.wireframe);
+}
+
+}  // namespace
+}  // namespace anamorph

@@ -1,0 +1,137 @@
+#include "level/lesson.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "error_text.h"
+#include "level/level_json.h"
+
+namespace anamorph {
+namespace {
+
+std::string lessonWith(const std::string& more, const std::string& done = "[]",
+                       const std::string& show = "{}") {
+  return R"({"id": "l", "steps": [{"id": "s", "title": "T", "why": "W", "do": "D", "done": )" + done +
+         R"(, "show": )" + show + more + "}]}";
+}
+
+TEST(LessonJson, WithoutTextThereAreNoSteps) {
+  EXPECT_EQ(parseLesson("", "l.json"), Lesson{});
+}
+
+TEST(LessonJson, ReadsEveryField) {
+  const Lesson lesson = parseLesson(R"({"id": "l", "badge": {"title": "B", "text": "C"}, "steps": [
+    {"id": "s", "title": "T", "why": "W", "do": "D", "notice": "N", "figure": "construction", "optional": true,
+     "done": [{"when": "viewed", "what": "difference"}, {"when": "matchBelow", "value": 0.5}],
+     "show": {"tab": "rays", "widget": "Show", "play": {
+       "eye": [1, 2, 3], "original": [4, 5, 6], "mirror": [7, 8, 9], "depthScale": 2, "tolerance": "off",
+       "fovDegrees": 30, "morph": 0.25, "viewEye": [1, 1, 1], "viewTarget": [2, 2, 2], "vertex": 7,
+       "pixel": [3, 4], "preview": "wipe", "rays": "pixels", "putRight": "normal", "shape": "pawn",
+       "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "undo": true}}}]})",
+                                    "l.json");
+  Lesson expected{"l", {"B", "C"}, {}};
+  LessonStep step{"s", "T", "W", "D", "N", "construction", true, {}, {"rays", "Show", StepMove{}}};
+  step.done = {{StepEvent::viewed, 0, "difference"}, {StepEvent::matchBelow, 0.5, ""}};
+  StepMove& move = *step.show.play;
+  move = {Point(1, 2, 3),
+          Point(4, 5, 6),
+          Point(7, 8, 9),
+          2,
+          0,
+          30,
+          0.25,
+          Point(1),
+          Point(2),
+          7,
+          std::array{3, 4},
+          "wipe",
+          "pixels",
+          "normal",
+          "pawn",
+          "sphere",
+          true,
+          true,
+          true,
+          true};
+  expected.steps = {step};
+  EXPECT_EQ(lesson, expected);
+}
+
+TEST(LessonJson, EveryEventHasItsName) {
+  for (std::size_t i = 0; i < stepEvents.size(); ++i) {
+    std::string done = std::string(R"([{"when": ")") + stepEvents[i] + "\"";
+    const std::string withValue = done + R"(, "value": 0.5}])";
+    const std::string error = errorOf([&] { parseLesson(lessonWith("", done + "}]"), "l.json"); });
+    const auto parsed = [&](const std::string& text) {
+      return static_cast<std::size_t>(parseLesson(lessonWith("", text), "l.json").steps[0].done[0].when);
+    };
+    if (error == "no error") {
+      EXPECT_EQ(parsed(done + "}]"), i);
+    } else if (error.find("\"value\"") != std::string::npos) {
+      EXPECT_EQ(parsed(withValue), i);
+    } else {
+      EXPECT_NE(error.find("\"what\""), std::string::npos) << stepEvents[i] << error;
+    }
+  }
+}
+
+struct BadLesson {
+  const char* name;
+  std::string json;
+  const char* message;
+};
+class BadLessonText : public ::testing::TestWithParam<BadLesson> {};
+
+TEST_P(BadLessonText, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(errorOf([&] { parseLesson(GetParam().json, "l.json"); }),
+            std::string("l.json: ") + GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lessons, BadLessonText,
+    ::testing::Values(
+        BadLesson{"NotAnObject", "[]", "/lesson: expected an object, got []"},
+        BadLesson{"NoId", R"({"steps": []})", "/lesson: expected the key \"id\", got an object without it"},
+        BadLesson{"EmptyId", R"({"id": "", "steps": []})",
+                  "/lesson/id: expected a name that is not empty, got \"\""},
+        BadLesson{"StepWithoutTask", R"({"id": "l", "steps": [{"id": "s", "title": "", "why": ""}]})",
+                  "/lesson/steps/0: expected the key \"do\", got an object without it"},
+        BadLesson{"UnknownKey", lessonWith(R"(, "hint": "x")"),
+                  "/lesson/steps/0/hint: expected a key of a lesson, got \"hint\""},
+        BadLesson{"UnknownFigure", lessonWith(R"(, "figure": "cat")"),
+                  "/lesson/steps/0/figure: expected one of \"perspective\", \"construction\", \"columns\", "
+                  "\"edges\", \"occlusion\", got \"cat\""},
+        BadLesson{"ValueMissing", lessonWith("", R"([{"when": "matchAbove"}])"),
+                  "/lesson/steps/0/done/0: expected the key \"value\", got an object without it"},
+        BadLesson{"ValueTooLarge", lessonWith("", R"([{"when": "matchAbove", "value": 99}])"),
+                  "/lesson/steps/0/done/0/value: expected a number from 0 to 1, got 99"},
+        BadLesson{"ValueWhereNoneIs", lessonWith("", R"([{"when": "movedEye", "value": 1}])"),
+                  "/lesson/steps/0/done/0/value: expected a key of a lesson, got \"value\""},
+        BadLesson{
+            "UnknownTab", lessonWith("", R"([{"when": "viewed", "what": "cat"}])"),
+            "/lesson/steps/0/done/0/what: expected one of \"reflection\", \"original\", \"difference\", "
+            "\"wipe\", got \"cat\""},
+        BadLesson{"PlayedNowhere", lessonWith("", "[]", R"({"play": {"eye": [1, 2]}})"),
+                  "/lesson/steps/0/show/play/eye: expected an array of 3 numbers, got [1, 2]"},
+        BadLesson{"SameIdTwice",
+                  R"({"id": "l", "steps": [{"id": "s", "title": "", "why": "", "do": ""},
+                                           {"id": "s", "title": "", "why": "", "do": ""}]})",
+                  "/lesson/steps/1/id: expected an id of its own, got \"s\" again"}),
+    [](const auto& bad) { return bad.param.name; });
+
+TEST(LessonJson, AnUnknownEventNamesAllThatThereAre) {
+  const std::string error = errorOf([] { parseLesson(lessonWith("", R"([{"when": "jumped"}])"), "l.json"); });
+  EXPECT_EQ(error.find("l.json: /lesson/steps/0/done/0/when: expected \"movedEye\", "), 0u) << error;
+  EXPECT_NE(error.find("got \"jumped\""), std::string::npos);
+}
+
+TEST(LessonJson, ALevelWithABadLessonIsRefused) {
+  Level level;
+  level.lesson = R"({"id": "l", "steps": 3})";
+  EXPECT_EQ(errorOf([&] { parseLevel(formatLevel(level), "x.json"); }),
+            "x.json: /lesson/steps: expected an array, got 3");
+}
+
+}  // namespace
+}  // namespace anamorph
