@@ -59,6 +59,7 @@ Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPer
   Arrangement arrangement;
   arrangement.title = level.title;
   arrangement.millimetresPerUnit = millimetresPerUnit;
+  arrangement.hasMirror = level.optic.kind == OpticKind::mirror;
   arrangement.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
   arrangement.mirrorSurface = tessellate(arrangement.mirror);
   arrangement.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
@@ -69,15 +70,32 @@ Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPer
   const Box mirrorBox = boundingBox(arrangement.mirrorSurface.positions);
   const Box sculptureBox = boundingBox(arrangement.sculpture.positions);
   arrangement.table = millimetresPerUnit * level.ground.height;
-  const double lowest = std::min(mirrorBox.min.z, sculptureBox.min.z);
+  const double lowest =
+      arrangement.hasMirror ? std::min(mirrorBox.min.z, sculptureBox.min.z) : sculptureBox.min.z;
   if (lowest < arrangement.table - levelTolerance * (mirrorBox.diagonal() + sculptureBox.diagonal())) {
     arrangement.table = lowest;
     arrangement.onGround = false;
   }
-  if (plate)
-    arrangement.plate =
-        makeBasePlate(arrangement.sculpture, arrangement.mirrorSurface, arrangement.table, *plate);
+  if (plate) {
+    const Mesh obstacle = arrangement.hasMirror ? arrangement.mirrorSurface : Mesh();
+    arrangement.plate = makeBasePlate(arrangement.sculpture, obstacle, arrangement.table, *plate);
+  }
   return arrangement;
+}
+
+std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray) {
+  const Optic& optic = finished.level.optic;
+  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
+  Sight sight{0, ray, 0};
+  if (optic.kind == OpticKind::mirror) {
+    const OpticPath path = followRay(optic, ray);
+    if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) return std::nullopt;
+    sight = {path.travelled, path.exit, 0};
+  }
+  BvhHit hit;
+  if (!sculpture.closestHit(sight.last, hit)) return std::nullopt;
+  sight.t = hit.t;
+  return sight;
 }
 
 double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
@@ -85,7 +103,6 @@ double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arra
   constexpr int size = 160;  // pixels
   const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
   const Bvh plate(mapPoints(arrangement.plate->mesh.positions, toScene), arrangement.plate->mesh.triangles);
-  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
   const Level& level = finished.level;
   const auto [width, height] = pictureSize(level.camera, size);
   const Projection projection(level.camera, width, height);
@@ -93,12 +110,10 @@ double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arra
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
-      const OpticPath path = followRay(level.optic, ray);
-      BvhHit hit;
-      if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) continue;
-      if (!sculpture.closestHit(path.exit, hit)) continue;
+      const auto sight = findSight(finished, ray);
+      if (!sight) continue;
       ++seen;
-      if (plate.anyHit(ray, 0, path.travelled) || plate.anyHit(path.exit, 0, hit.t)) ++hidden;
+      if (plate.anyHit(ray, 0, sight->toMirror) || plate.anyHit(sight->last, 0, sight->t)) ++hidden;
     }
   }
   return seen > 0 ? double(hidden) / double(seen) : 0;

@@ -21,6 +21,7 @@ using Point2 = glm::dvec2;
 struct Arrangement {
   std::string title;
   double millimetresPerUnit = 1;
+  bool hasMirror = true;  ///< else `mirror` is a canvas that is only thought of, and nothing stands there
   MirrorShape mirror;
   Mesh mirrorSurface;  ///< the mirror as triangles
   Mesh sculpture;      ///< as it is printed
@@ -45,6 +46,16 @@ Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPer
 /// The share of the image's pixels with a reflection of the sculpture that the base plate hides, seen by the
 /// RT camera: it stands before the mirror, or between mirror and sculpture. 0 without a plate.
 double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement);
+
+/// How the eye sees the sculpture along a ray: by way of the mirror, or straight.
+struct Sight {
+  double toMirror = 0;  ///< lengths of the ray sent; 0 without a mirror
+  Ray last;             ///< the ray that meets the sculpture
+  double t = 0;         ///< and where it does
+};
+
+/// Nothing where the ray does not end on the sculpture, or where that stands before the mirror.
+std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray);
 
 /// In millimetres.
 MirrorShape scaleMirror(const MirrorShape& shape, double factor);

@@ -76,9 +76,9 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
                                     arrangement.plate ? " with its base plate" : "");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
-  file.comment =
-      fmt::format("sculpture for the {} mirror in millimetres, {:g} per scene unit, made by Anamorph",
-                  shapeName(finished.level.optic.shape), request.millimetresPerUnit);
+  file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
+                             shapeName(finished.level.optic.shape), surfaceName(finished.level.optic),
+                             request.millimetresPerUnit);
   saveMesh(request.path, mesh, file);
   return summary;
 }

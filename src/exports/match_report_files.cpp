@@ -92,9 +92,9 @@ std::string levelSentence(const FinishedLevel& finished) {
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
   return fmt::format(
-      "A {} mirror, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
       "triangles; {}.",
-      shapeName(level.optic.shape), eye.x, eye.y, eye.z, level.sculpture.depthScale,
+      shapeName(level.optic.shape), surfaceName(level.optic), eye.x, eye.y, eye.z, level.sculpture.depthScale,
       sculpture.mesh.triangles.size(), statusSentence(sculpture.originalStatus));
 }
 
@@ -135,7 +135,9 @@ std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& repo
       title, style);
   page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">match: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
                       title, matchGradeName(gradeOf(report)), levelSentence(finished));
-  page += figure(pictures.reflection, "Reflection", "what the eye sees in the mirror");
+  page += figure(pictures.reflection, "Reflection",
+                 finished.level.optic.kind == OpticKind::mirror ? "what the eye sees in the mirror"
+                                                                : "what the eye sees of the sculpture");
   page += figure(pictures.original, "Original", "the original alone, seen directly from the same eye");
   page += figure(pictures.difference, "Difference", legend);
   page += "</div>\n" + figuresTable(report);

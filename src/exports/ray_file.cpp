@@ -55,8 +55,8 @@ std::optional<std::string> makeVertexRayObj(const FinishedLevel& finished, int c
     if (i % 4096 == 0 && !progress.update(double(i) / double(wanted))) return std::nullopt;
     // At the middle of each of `wanted` equal parts of the list, as in the 3D view.
     const std::size_t vertex = (2 * i + 1) * vertices.size() / (2 * wanted);
-    const VertexRay ray =
-        makeVertexRay(level.optic, level.camera.eye, vertices[vertex], level.sculpture.depthScale);
+    const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, vertices[vertex],
+                                        level.sculpture.depthScale, level.sculpture.mistakes);
     if (ray.status != PathStatus::mapped) {
       ++notMapped;
       continue;

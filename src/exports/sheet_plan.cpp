@@ -129,6 +129,10 @@ class Drawing {
   }
 
  private:
+  std::string surface() const { return plan_.hasMirror ? "mirror" : "canvas"; }
+  // A canvas is only thought of.
+  Pen surfacePen() const { return plan_.hasMirror ? outlinePen : Pen{0.3, ink::blue, {1.5, 1}}; }
+
   Point2 at(const Point2& p) const { return at(p.x, p.y); }
   Point2 at(double right, double away) const { return origin_ + Point2(right, -away) / scale_; }
 
@@ -142,11 +146,11 @@ class Drawing {
 
   void drawMirror() {
     if (plan_.mirrorRadius) {
-      page_.items.push_back(PageCircle{at(0, 0), *plan_.mirrorRadius / scale_, outlinePen, ink::lightBlue});
+      page_.items.push_back(PageCircle{at(0, 0), *plan_.mirrorRadius / scale_, surfacePen(), ink::lightBlue});
       return;
     }
-    page_.items.push_back(PageShape{moved({plan_.mirror}), true, outlinePen, ink::lightBlue});
-    if (plan_.mirror.size() == 2) drawBack();
+    page_.items.push_back(PageShape{moved({plan_.mirror}), true, surfacePen(), ink::lightBlue});
+    if (plan_.mirror.size() == 2 && plan_.hasMirror) drawBack();
   }
 
   // Short strokes on the side of an upright mirror that the eye does not see.
@@ -260,13 +264,13 @@ class Drawing {
     const bool level = plan_.mirrorBox.size().y < scale_;
     if (!level || plan_.mirrorBox.size().x < 40 * scale_ || plan_.sculptureBox.max.y > end.y - 6 * scale_)
       return;
-    drawText(page_, {at(end) + Point2(0, 4), "mirror", 2.9, false, TextAlign::left, false, ink::blue});
+    drawText(page_, {at(end) + Point2(0, 4), surface(), 2.9, false, TextAlign::left, false, ink::blue});
   }
 
   void drawNames() {
     const auto inSculpture = [&](const Point2& p) { return isInside(plan_.sculpture, p); };
     const auto inMirror = [&](const Point2& p) { return isInside({plan_.mirror}, p) && !inSculpture(p); };
-    drawName("mirror", ink::blue, plan_.mirrorBox, inMirror);
+    drawName(surface(), ink::blue, plan_.mirrorBox, inMirror);
     if (plan_.mirror.size() == 2) nameLine();
     drawName("sculpture", ink::vermilion, plan_.sculptureBox, inSculpture);
   }
@@ -330,6 +334,7 @@ class Drawing {
 
 SheetPlan makeSheetPlan(const Arrangement& arrangement) {
   SheetPlan plan;
+  plan.hasMirror = arrangement.hasMirror;
   plan.mirror = withoutThinness(convexHull(flatten(arrangement, arrangement.mirrorSurface.positions)));
   plan.mirrorRadius = circleFromAbove(arrangement.mirror);
   plan.sculpture =

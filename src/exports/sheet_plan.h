@@ -24,6 +24,7 @@ struct Rectangle {
 
 /// What is drawn, in millimetres of the plan (right, away).
 struct SheetPlan {
+  bool hasMirror = true;  ///< else the mirror is a canvas
   Loop mirror;  ///< of a mirror that is no circle from above: the hull; two points when it stands upright
   std::optional<double> mirrorRadius;  ///< of one that is a circle around the origin
   std::vector<Loop> sculpture;

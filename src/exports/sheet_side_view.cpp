@@ -24,7 +24,6 @@ std::vector<Point2> flatten(const Arrangement& arrangement, const PointArray& po
 std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, const Arrangement& arrangement) {
   constexpr int size = 41;
   const Level& level = finished.level;
-  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
   const Projection projection(level.camera, size, size);
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<std::array<Point2, 3>> found;
@@ -33,15 +32,13 @@ std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, cons
       const double distance = std::hypot(x - size / 2, y - size / 2);
       if (distance >= nearest) continue;
       const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
-      const OpticPath path = followRay(level.optic, ray);
-      BvhHit hit;
-      if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) continue;
-      if (!sculpture.closestHit(path.exit, hit)) continue;
+      const auto sight = findSight(finished, ray);
+      if (!sight) continue;
       const auto toSide = [&](const Point& p) {
         return arrangement.sideOf(arrangement.millimetresPerUnit * p);
       };
       nearest = distance;
-      found = {toSide(level.camera.eye), toSide(path.points[0]), toSide(path.exit.at(hit.t))};
+      found = {toSide(ray.origin), toSide(ray.at(sight->toMirror)), toSide(sight->last.at(sight->t))};
     }
   }
   return found;
@@ -191,8 +188,9 @@ SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangem
   };
   const auto [mirrorBottom, mirrorTop] = std::minmax_element(mirror.begin(), mirror.end(), isLower);
   const auto [bottom, top] = std::minmax_element(sculpture.begin(), sculpture.end(), isLower);
-  label(*mirrorTop, "mirror, top");
-  if (mirrorBottom->y > 0.05) label(*mirrorBottom, "mirror, bottom");
+  const std::string name = surfaceName(finished.level.optic);
+  label(*mirrorTop, name + ", top");
+  if (mirrorBottom->y > 0.05) label(*mirrorBottom, name + ", bottom");
   label(*top, "sculpture, top");
   if (bottom->y > 0.05 || arrangement.plate) label(*bottom, "sculpture, bottom");
   view.box = {glm::min(view.eye, Point2(view.eye.x, 0)), view.eye};

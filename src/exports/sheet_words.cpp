@@ -73,10 +73,13 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
                        ? "Print at 100 % and compare the ruler below with a real one. Lengths are in mm."
                        : "Smaller than life: set up by the figures, which are true lengths in mm.",
                    ink::black});
-  steps.push_back(
-      {"Mirror",
-       std::visit(DescribeMirror{arrangement, mirror.min.z - arrangement.table}, arrangement.mirror),
-       ink::blue});
+  if (arrangement.hasMirror) {
+    const DescribeMirror describe{arrangement, mirror.min.z - arrangement.table};
+    steps.push_back({"Mirror", std::visit(describe, arrangement.mirror), ink::blue});
+  } else {
+    steps.push_back(
+        {"Canvas", "Only thought of: nothing stands there, the sculpture is seen directly.", ink::blue});
+  }
   steps.push_back(
       {"Sculpture",
        sculptureText(arrangement, sculpture.min.z - arrangement.table, sculpture.max.z - arrangement.table),
@@ -88,7 +91,7 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
                    mm(arrangement.sideOf(arrangement.eye).y), mm(glm::length(eye))),
        ink::black});
   if (!arrangement.onGround) {
-    steps.push_back({"Table", "Its height is that of the lowest point of mirror and sculpture.", ink::black});
+    steps.push_back({"Table", "Its height is that of the lowest point of what stands on it.", ink::black});
   }
   return steps;
 }

@@ -162,6 +162,20 @@ TEST(Export, Base64IsThatOfItsStandard) {
   for (const auto& [bytes, text] : pairs) EXPECT_EQ(encodeBase64(bytes), text);
 }
 
+TEST(Export, GoesWithoutAMirror) {
+  Level level = finishedLevel("1-plane").level;
+  level.optic.kind = OpticKind::none;
+  level.sculpture.depthScale = 0.3;
+  const FinishedLevel finished = finish(level);
+  const TemporaryFolder folder;
+  for (const char* name : {"a.stl", "a.pdf", "a.svg", "a.html"}) {
+    ExportRequest request = requestFor(folder / name);
+    request.basePlate = BasePlateSettings{};
+    EXPECT_TRUE(exportLevel(finished, request)) << name;
+  }
+  EXPECT_THAT(readAll(folder / "a.html"), HasSubstr("A plane canvas, seen from the eye"));
+}
+
 TEST(Export, PicturesHaveTheAskedSize) {
   const TemporaryFolder folder;
   for (const PictureKind kind : {PictureKind::reflection, PictureKind::original, PictureKind::difference}) {
