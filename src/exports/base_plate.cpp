@@ -22,6 +22,7 @@ constexpr int sides = 16;       // of a post
 constexpr int candidates = 32;  // along each side of the footprint's box
 constexpr std::size_t maxPosts = 4;
 constexpr double overlapMillimetres = 0.5;  // that shells reach into each other
+constexpr double letInMillimetres = 0.2;    // a lower rim around a sculpture on the table hides less
 constexpr double postShare = 0.025;         // radius, of the sculpture's diagonal
 constexpr double minPostRadius = 1, maxPostRadius = 4;
 
@@ -217,7 +218,7 @@ std::vector<Point2> convexHull(std::vector<Point2> points) {
 BasePlate makeBasePlate(const Mesh& sculpture, const Mesh& mirror, double table,
                         const BasePlateSettings& settings) {
   const double lowest = boundingBox(sculpture.positions).min.z;
-  const double overlap = std::min(overlapMillimetres, 0.5 * settings.thickness);
+  const double overlap = std::min(letInMillimetres, 0.5 * settings.thickness);
   BasePlate plate;
   plate.thickness = settings.thickness;
   plate.outline = outlineOf(sculpture, settings.margin);

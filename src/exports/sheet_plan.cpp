@@ -208,7 +208,7 @@ class Drawing {
       const bool onTheRight = sculpture.max.x > nothing;
       const double near = onTheRight ? sculpture.min.x : sculpture.max.x;
       const double far = onTheRight ? sculpture.max.x : sculpture.min.x;
-      drawWidth(0, near, middle, bottom);
+      drawWidth(near, 0, middle, bottom);  // a short one has its text on the free side
       drawWidth(near, far, middle, bottom);
     }
   }

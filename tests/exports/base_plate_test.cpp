@@ -51,8 +51,8 @@ TEST(BasePlate, IsLetInBelowASculptureThatStandsOnTheTable) {
   const Mesh box = moved(makeBox({40, 20, 20}, 2), {0, 0, 10});
   const BasePlate plate = makeBasePlate(box, farMirror, 0, {.thickness = 2, .margin = 3});
   EXPECT_TRUE(plate.posts.empty());
-  EXPECT_DOUBLE_EQ(plate.lowerFace, -1.5) << "half a millimetre into the sculpture";
-  EXPECT_DOUBLE_EQ(boundingBox(plate.mesh.positions).max.z, 0.5);
+  EXPECT_DOUBLE_EQ(plate.lowerFace, -1.8) << "a layer into the sculpture";
+  EXPECT_DOUBLE_EQ(boundingBox(plate.mesh.positions).max.z, 0.2);
 }
 
 TEST(BasePlate, IsRefusedWhereTheMirrorStands) {
