@@ -19,6 +19,7 @@
 #include "app/preferences.h"
 #include "app/state_log.h"
 #include "base/error.h"
+#include "edit/level_files.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
 #include "raytrace/png.h"
@@ -29,8 +30,10 @@ namespace {
 static_assert(keys::escape == GLFW_KEY_ESCAPE && keys::tab == GLFW_KEY_TAB && keys::home == GLFW_KEY_HOME &&
               keys::pageUp == GLFW_KEY_PAGE_UP && keys::pageDown == GLFW_KEY_PAGE_DOWN &&
               keys::f1 == GLFW_KEY_F1 && keys::f12 == GLFW_KEY_F12 && keys::pad0 == GLFW_KEY_KP_0 &&
-              keys::space == GLFW_KEY_SPACE && keys::shift == GLFW_MOD_SHIFT &&
-              keys::control == GLFW_MOD_CONTROL);
+              keys::space == GLFW_KEY_SPACE && keys::enter == GLFW_KEY_ENTER &&
+              keys::padEnter == GLFW_KEY_KP_ENTER && keys::backspace == GLFW_KEY_BACKSPACE &&
+              keys::up == GLFW_KEY_UP && keys::down == GLFW_KEY_DOWN && keys::end == GLFW_KEY_END &&
+              keys::shift == GLFW_MOD_SHIFT && keys::control == GLFW_MOD_CONTROL);
 
 constexpr double livelySeconds = 0.8;  // after an event: tooltips appear, hover colours change
 constexpr double livelyStep = 1.0 / 30;
@@ -138,6 +141,8 @@ class MainWindow {
       int width = 0, height = 0;
       glfwGetFramebufferSize(handle_.get(), &width, &height);
       if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
+        // The question about unsaved changes has to be seen.
+        if (desk_->ui().requests.quit) glfwRestoreWindow(handle_.get());
         glfwWaitEvents();
         continue;
       }
@@ -235,10 +240,7 @@ class MainWindow {
   }
 
   void showTitle() {
-    const Level& level = desk_->work().session.level();
-    const std::string name =
-        level.title.empty() ? desk_->work().session.path().filename().string() : level.title;
-    const std::string title = name + (desk_->work().session.modified() ? " * - Anamorph" : " - Anamorph");
+    const std::string title = windowTitle(desk_->work().session);
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(handle_.get(), title.c_str());
@@ -262,7 +264,8 @@ class MainWindow {
       self.wakeUp();
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.desk_->key(keyByItsCap(key, code),
-                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER));
+                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER),
+                        action == GLFW_REPEAT);
       }
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
@@ -284,6 +287,15 @@ class MainWindow {
     });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
       ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+      of(w).wakeUp();
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+      of(w).desk_->drop({paths, paths + count});
+      of(w).wakeUp();
+    });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+      glfwSetWindowShouldClose(w, GLFW_FALSE);  // there may be something to save first
+      of(w).desk_->ui().requests.quit = true;
       of(w).wakeUp();
     });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).wakeUp(); });
