@@ -91,9 +91,14 @@ TEST_F(OpenDesk, ALevelThatCannotBeOpenedLeavesTheOldOne) {
   desk().open(folder / "broken.json");
   frames(2);
   EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
-  EXPECT_NE(work().message.find("broken.json"), std::string::npos);
+  ASSERT_TRUE(ui().notice);
+  EXPECT_NE(ui().notice->text.find("broken.json"), std::string::npos);
   desk().open(folder / "gone.json");
-  EXPECT_NE(work().message.find("gone.json"), std::string::npos);
+  EXPECT_NE(ui().notice->text.find("gone.json"), std::string::npos);
+  frames(2);
+  desk().key(keys::enter, 0);
+  frames(2);
+  EXPECT_FALSE(ui().notice);
 }
 
 TEST_F(DeskTest, WithoutAnyLevelTheErrorIsTheCallers) {
