@@ -17,11 +17,14 @@
 
 #include "app/desk.h"
 #include "app/preferences.h"
+#include "app/state_folder.h"
 #include "app/state_log.h"
+#include "app/window_files.h"
 #include "base/error.h"
 #include "edit/level_files.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
+#include "panels/file_flow.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -125,11 +128,14 @@ class MainWindow {
     desk_ = std::make_unique<Desk>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
+    files_ = std::make_unique<WindowFiles>(stateFolder(), *desk_);
     desk_->open(options.level);
+    if (!options.model.empty()) importOriginal(desk_->work(), options.model);
     if (options.fullscreen) toggleFullscreen();
   }
   ~MainWindow() {
     ImGui_ImplGlfw_Shutdown();
+    files_.reset();
     desk_.reset();  // while the context lives
   }
   MainWindow(const MainWindow&) = delete;
@@ -168,6 +174,7 @@ class MainWindow {
       return glfwPollEvents();
     }
     if (now - lastEvent_ < livelySeconds) return glfwWaitEventsTimeout(livelyStep);
+    if (const auto due = files_->secondsUntilDue(now)) return glfwWaitEventsTimeout(*due + 0.01);
     glfwWaitEvents();
   }
 
@@ -180,6 +187,7 @@ class MainWindow {
     ImGui_ImplGlfw_NewFrame();
     desk_->frame(seconds);
     glfwSwapBuffers(handle_.get());
+    files_->update(now);
     stateLog_.add(*desk_);
     serveRequests();
     showTitle();
@@ -306,6 +314,7 @@ class MainWindow {
   WindowHandle handle_;
   Preferences saved_;
   std::unique_ptr<Desk> desk_;
+  std::unique_ptr<WindowFiles> files_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
   double lastFrame_ = 0, lastEvent_ = 0;

@@ -25,6 +25,8 @@ bool isFolder(const std::filesystem::path& path);
 
 /// Puts a text into the field.
 void setBrowserText(FileBrowser& b, const std::string& text);
+/// Where the text is the path of a folder and something behind it: enters the folder and keeps the rest.
+void enterTypedFolder(FileBrowser& b);
 /// Brings the rows up to date with filter and check boxes.
 void chooseShown(FileBrowser& b);
 /// Shows another folder; where it cannot be listed, `problem` says why and the old one stays.

@@ -147,12 +147,7 @@ void drawField(UiState& ui) {
     b.problem.clear();
     b.proposed = false;
     if (purposeTexts(b.purpose).saves) b.selected = -1;
-    // A folder's path is entered as soon as it is complete.
-    if (!b.namingFolder && b.text.ends_with("/") && isFolder(pathOf(b, b.text))) {
-      const fs::path folder = pathOf(b, b.text);
-      setBrowserText(b, "");
-      enterFolder(b, folder);
-    }
+    if (!b.namingFolder) enterTypedFolder(b);
   }
   ImGui::PopID();
   if (!makesFolders) return;

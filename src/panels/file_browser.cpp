@@ -164,6 +164,19 @@ void enterFolder(FileBrowser& b, const fs::path& path) {
 }
 
 // Enter, or the button.
+void enterTypedFolder(FileBrowser& b) {
+  const std::size_t slash = b.text.rfind('/');
+  if (slash == std::string::npos) return;
+  const fs::path folder = pathOf(b, b.text.substr(0, slash + 1));
+  if (!isFolder(folder)) return;
+  const std::string rest = b.text.substr(slash + 1);
+  enterFolder(b, folder);
+  if (!b.problem.empty()) return;
+  setBrowserText(b, rest);
+  b.proposed = false;
+  b.caretToEnd = true;
+}
+
 void acceptChoice(UiState& ui) {
   FileBrowser& b = ui.browser;
   b.problem.clear();
