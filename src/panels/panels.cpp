@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "panels/lesson_text.h"
+#include "panels/dialog.h"
 #include "panels/view_panel.h"
 
 namespace anamorph {
@@ -78,6 +79,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawProgressWindow(work, ui);
   drawPresenter(work, ui);
   drawTour(work, ui);
+  drawDialogs(work, ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
   if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;
