@@ -139,6 +139,8 @@ std::vector<Shortcut> shortcuts(bool vrtKeys) {
       {Action::nextStep, right, alt, "Alt+Right"},
       {Action::showStep, 'M', 0, "M"},
       {Action::present, f3, 0, "F3"},
+      {Action::progress, f4, 0, "F4"},
+      {Action::tour, f1, shift, "Shift+F1"},
       {Action::reload, f5, 0, "F5"},
       {Action::renderImage, 'R', control | shift, "Ctrl+Shift+R"},
       {Action::screenshot, f12, 0, "F12"},

@@ -50,7 +50,7 @@ enum class Action {
 /// Key codes as GLFW numbers them: letters and digits are their capital ASCII characters.
 namespace keys {
 constexpr int escape = 256, tab = 258, pageUp = 266, pageDown = 267, home = 268, f1 = 290, f2 = 291, f5 = 294,
-              f3 = 292, f11 = 300, f12 = 301, left = 263, right = 262, pad0 = 320, space = 32;
+              f3 = 292, f4 = 293, f11 = 300, f12 = 301, left = 263, right = 262, pad0 = 320, space = 32;
 constexpr int shift = 1, control = 2, alt = 4;
 }  // namespace keys
 

@@ -63,7 +63,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          static_cast<int>(ui.levels.size()), ui.panelsHidden, work.preview.expanded});
+                          ui.panelsHidden, work.preview.expanded, static_cast<int>(ui.levels.size())});
   updateHighlight(ui, static_cast<double>(ImGui::GetIO().DeltaTime));
   drawViewPanel(work, ui);
   drawMenuBar(work, ui);
