@@ -33,29 +33,32 @@ const std::map<std::string, Room> rooms{
     {"raytrace", {{"base", "math", "geometry", "optics"}, {"glm/", "fmt/", "stb_"}}},
     {"pipeline",
      {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace"}, {"glm/", "fmt/"}}},
-    {"edit",
+    {"exports",
      {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline"},
+      {"glm/", "fmt/", "cairo"}}},
+    {"edit",
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "exports"},
       {"glm/", "fmt/"}}},
     {"gl", {{"base", "math"}, {"glm/", "fmt/", "glad/", "EGL/"}}},
     {"viewport",
      {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit", "gl"},
       {"glm/", "fmt/", "glad/"}}},
     {"panels",
-     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit"},
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "exports", "edit"},
       {"glm/", "fmt/", "imgui"}}},
     {"app",
-     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "edit", "cli", "gl",
-       "viewport", "panels"},
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "exports", "edit", "cli",
+       "gl", "viewport", "panels"},
       {"glm/", "fmt/", "CLI/", "imgui", "backends/imgui", "glad/", "GLFW/", "fontconfig/"}}},
     {"cli",
-     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline"},
+     {{"base", "math", "geometry", "optics", "level", "anamorphosis", "raytrace", "pipeline", "exports"},
       {"glm/", "fmt/", "CLI/"}}},
 };
-const Names wrappedInOneFile{"tiny_obj_loader.h", "nlohmann/", "stb_", "EGL/", "fontconfig/"};
+const Names wrappedInOneFile{"tiny_obj_loader.h", "nlohmann/", "stb_", "EGL/", "fontconfig/", "cairo"};
 const Names otherLibraries{"glm/",      "fmt/", "CLI/",   "tiny_obj_loader.h",
                            "nlohmann/", "stb_", "imgui",  "GLFW/",
                            "glad/",     "EGL/", "embree", "gtest/",
-                           "backends/imgui", "fontconfig/"};
+                           "backends/imgui", "fontconfig/", "cairo"};
 
 bool startsWithOne(const std::string& text, const Names& beginnings) {
   return std::any_of(beginnings.begin(), beginnings.end(),

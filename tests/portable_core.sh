@@ -9,14 +9,14 @@ compiler="$(command -v clang++-14 || true)"
 # Only headers of the libraries, not libstdc++'s neighbours: a folder of links.
 headers="$(mktemp -d)"
 trap 'rm -rf "$headers"' EXIT
-for library in glm fmt nlohmann CLI tiny_obj_loader.h; do ln -s "/usr/include/$library" "$headers/"; done
+for library in glm fmt nlohmann CLI tiny_obj_loader.h cairo; do ln -s "/usr/include/$library" "$headers/"; done
 
 check() {
   "$compiler" -std=c++20 -stdlib=libc++ -fsyntax-only -Wall -Wextra -Werror -Wno-psabi \
     -Wno-bitwise-instead-of-logical -DANAMORPH_SOURCE_DIR='""' -I "$source/src" -isystem "$headers" \
-    -isystem /usr/include/stb "$1"
+    -isystem /usr/include/stb -isystem "$headers/cairo" "$1"
 }
 export -f check
 export compiler source headers
-printf '%s\n' "$source"/src/{base,math,geometry,optics,level,anamorphosis,raytrace,pipeline}/*.cpp |
+printf '%s\n' "$source"/src/{base,math,geometry,optics,level,anamorphosis,raytrace,pipeline,exports}/*.cpp |
   xargs -P "$(nproc)" -I '{}' bash -c 'check {}'

@@ -15,6 +15,8 @@
 #include "base/resources.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
+#include "panels/dialog.h"
+#include "panels/file_flow.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -88,10 +90,17 @@ void Desk::open(const std::filesystem::path& path) {
   letGoOfWidgets();
   try {
     openLevel(*work_, path);
+    rememberLevel(ui_, path);
   } catch (const Error& error) {
     if (work_->session.generation() == 0) throw;
-    work_->message = error.what();
+    ui_.notice = Notice{"The level could not be opened", error.what()};
   }
+}
+
+void Desk::serveRequests() {
+  settleRequests(*work_, ui_);
+  if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
+  if (std::exchange(ui_.requests.startNew, false)) openNewLevel(*work_);
 }
 
 // The pictures that the README shows, where there is one of a level's name.
@@ -185,7 +194,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
     ImGui::NewFrame();
     drawPanels(*work_, ui_);
   });
-  if (auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
+  serveRequests();
   times_.advance = timed([&] { advance(*work_, seconds); });
   ViewInputMaker::stepRays(*work_);
   const double length = ViewInputMaker::animationSeconds(*work_);
@@ -210,13 +219,19 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
 }
 
 bool Desk::unfinished() const {
-  return isMoving(*work_) || !viewComplete() || work_->studio.busy() || ui_.render.running;
+  return isMoving(*work_) || !viewComplete() || work_->studio.busy() || work_->job.busy() ||
+         ui_.render.running;
 }
 
-void Desk::key(int key, int modifiers) {
+void Desk::key(int key, int modifiers, bool repeated) {
   ImGui::SetCurrentContext(context_);
-  if (ImGui::GetIO().WantTextInput) return;
-  handleKey(key, modifiers, *work_, ui_);
+  if (ImGui::GetIO().WantTextInput && !isDialogOpen(ui_)) return;
+  handleKey(key, modifiers, *work_, ui_, repeated);
+}
+
+void Desk::drop(const std::vector<std::filesystem::path>& files) {
+  ImGui::SetCurrentContext(context_);
+  acceptFiles(files, *work_, ui_);
 }
 
 }  // namespace anamorph

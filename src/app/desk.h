@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/image_texture.h"
 #include "app/quality.h"
@@ -40,7 +41,8 @@ class Desk {
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
 
-  /// Opens a level; an Error goes to the status line, and to the caller when nothing is open yet.
+  /// Opens a level, whatever becomes of the old one; an Error is shown as a notice, and goes to the caller
+  /// when nothing is open yet.
   void open(const std::filesystem::path& path);
 
   /// One frame, `seconds` after the last. The caller has set Dear ImGui's display size and mouse, and has
@@ -49,8 +51,10 @@ class Desk {
 
   /// Whether the next frame would differ without any input.
   bool unfinished() const;
-  /// A key went down; ignored while text is typed.
-  void key(int key, int modifiers);
+  /// A key went down (`repeated`: is held down); ignored while text is typed, unless a dialog is open.
+  void key(int key, int modifiers, bool repeated = false);
+  /// Files were dropped on the window.
+  void drop(const std::vector<std::filesystem::path>& files);
 
   Workspace& work() { return *work_; }
   UiState& ui() { return ui_; }
@@ -66,6 +70,7 @@ class Desk {
   void refreshStyle();
   void refreshTextures();
   void loadThumbnails();
+  void serveRequests();
   void drawView(double seconds, const ViewQuality* forced);
 
   ImGuiContext* context_;

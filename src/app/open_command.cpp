@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/languages.h"
 #include "app/preferences.h"
 #include "app/window.h"
+#include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 
@@ -18,7 +20,7 @@ MoreCommands windowCommands() {
 
 void addOpenCommand(CLI::App& app, CommonOptions&) {
   struct Options {
-    std::string level = "1-plane", theme, language, stateLog;
+    std::string level = "1-plane", model, theme, language, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
     std::size_t step = 0;
@@ -28,6 +30,8 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
   const auto options = std::make_shared<Options>();
   command->add_option("LEVEL", options->level,
                       "A level (a file, or the name of an installed one) or a thesis scene");
+  command->add_option("MODEL", options->model,
+                      "An OBJ, STL or PLY mesh that takes the place of the original");
   command->add_option("--theme", options->theme, "dark, light or projector")
       ->check(CLI::IsMember({"dark", "light", "projector"}));
   command
@@ -46,6 +50,11 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->group("");  // for tests and demonstrations: not in the help
   command->callback([options] {
     WindowOptions window;
+    if (isMeshFile(options->level) && options->model.empty()) {
+      options->model = std::exchange(options->level, "1-plane");
+    }
+    window.model = options->model;
+    if (!window.model.empty()) loadMesh(window.model);
     window.level = findLevel(options->level);
     loadLevel(window.level);  // an Error comes before a window does
     if (!options->language.empty()) chooseLanguage(options->language);

@@ -1,16 +1,72 @@
 #include "app/state_folder.h"
 
+#include <algorithm>
 #include <cstdlib>
 
-namespace anamorph {
+#include "base/error.h"
+#include "base/file.h"
+#include "base/folder.h"
+#include "level/json_object.h"
 
-std::filesystem::path stateFolder() {
-  namespace fs = std::filesystem;
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+using Paths = std::vector<fs::path>;
+
+fs::path recentFile(const fs::path& folder) {
+  return folder / "recent.json";
+}
+
+// Behind those that are there already.
+void append(const JsonValue& json, const std::string& key, Paths& paths, std::size_t most) {
+  const auto at = std::find(json.keys.begin(), json.keys.end(), key);
+  if (at == json.keys.end()) return;
+  for (const JsonValue& item : json.items[static_cast<std::size_t>(at - json.keys.begin())].items) {
+    const bool usable = item.kind == JsonValue::Kind::string && fs::path(item.text).is_absolute();
+    const bool known = std::find(paths.begin(), paths.end(), item.text) != paths.end();
+    if (usable && !known && paths.size() < most) paths.emplace_back(item.text);
+  }
+}
+
+JsonValue listOf(const Paths& paths) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const fs::path& path : paths)
+    list.items.push_back({JsonValue::Kind::string, path.string(), 0, {}, {}});
+  return list;
+}
+
+}  // namespace
+
+fs::path stateFolder() {
   const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  const fs::path base =
-      state && *state ? fs::path(state) : fs::path(home && *home ? home : ".") / ".local" / "state";
-  return base / "anamorph";
+  const bool usable = state && *state == '/';  // relative ones are to be ignored, says the standard
+  return (usable ? fs::path(state) : homeFolder() / ".local/state") / "anamorph";
+}
+
+void loadRecent(const fs::path& folder, UiState& ui) {
+  std::error_code ignored;
+  if (!fs::exists(recentFile(folder), ignored)) return;
+  try {
+    const JsonValue json =
+        parseJson(readFile(recentFile(folder), std::size_t{1} << 20).view(), recentFile(folder).string());
+    append(json, "levels", ui.recentLevels, 10);
+    append(json, "folders", ui.recentFolders, 6);
+  } catch (const Error&) {
+    // Nobody's work: it is written anew with the next level.
+  }
+}
+
+void saveRecent(const fs::path& folder, UiState& ui) {
+  loadRecent(folder, ui);
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
+  writeFile(recentFile(folder), formatJson(JsonObject()
+                                               .add("levels", listOf(ui.recentLevels))
+                                               .add("folders", listOf(ui.recentFolders))
+                                               .value()) +
+                                    "\n");
 }
 
 }  // namespace anamorph

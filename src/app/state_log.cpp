@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/report.h"
+#include "edit/level_files.h"
 
 namespace anamorph {
 namespace {
@@ -27,6 +28,13 @@ JsonValue rectJson(const Rect& r) {
 const char* nameOf(Part part) {
   constexpr std::array names{"none", "eye", "aim", "original", "mirror", "sculpture", "light"};
   return names.at(static_cast<std::size_t>(part));
+}
+
+const char* dialogName(const UiState& ui) {
+  if (ui.notice) return "notice";
+  if (ui.browser.open) return "browser";
+  if (ui.unsaved) return "unsaved";
+  return ui.recoveries.empty() ? "" : "recovery";
 }
 
 JsonValue poseJson(const ViewPose& pose) {
@@ -84,6 +92,12 @@ std::string stateLine(Desk& desk, std::size_t frame) {
           .add("presenting", ui.presenting)
           .add("tourCard", double(ui.tourCard))
           .add("message", work.message)
+          .add("title", windowTitle(work.session))
+          .add("job", work.job.busy())
+          .add("dialog", std::string(dialogName(ui)))
+          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
+          .add("typed", ui.browser.text)
+          .add("notice", ui.notice ? ui.notice->text : "")
           .value());
 }
 

@@ -18,10 +18,14 @@
 #include "app/desk.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
+#include "app/state_folder.h"
 #include "app/state_log.h"
+#include "app/window_files.h"
 #include "base/error.h"
+#include "edit/level_files.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
+#include "panels/file_flow.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -30,9 +34,12 @@ namespace {
 static_assert(keys::escape == GLFW_KEY_ESCAPE && keys::tab == GLFW_KEY_TAB && keys::home == GLFW_KEY_HOME &&
               keys::pageUp == GLFW_KEY_PAGE_UP && keys::pageDown == GLFW_KEY_PAGE_DOWN &&
               keys::f1 == GLFW_KEY_F1 && keys::f12 == GLFW_KEY_F12 && keys::pad0 == GLFW_KEY_KP_0 &&
-              keys::space == GLFW_KEY_SPACE && keys::f3 == GLFW_KEY_F3 && keys::left == GLFW_KEY_LEFT &&
-              keys::right == GLFW_KEY_RIGHT && keys::alt == GLFW_MOD_ALT && keys::shift == GLFW_MOD_SHIFT &&
-              keys::control == GLFW_MOD_CONTROL);
+              keys::space == GLFW_KEY_SPACE && keys::f3 == GLFW_KEY_F3 && keys::f4 == GLFW_KEY_F4 &&
+              keys::left == GLFW_KEY_LEFT && keys::right == GLFW_KEY_RIGHT && keys::enter == GLFW_KEY_ENTER &&
+              keys::padEnter == GLFW_KEY_KP_ENTER && keys::backspace == GLFW_KEY_BACKSPACE &&
+              keys::up == GLFW_KEY_UP && keys::down == GLFW_KEY_DOWN && keys::end == GLFW_KEY_END &&
+              keys::shift == GLFW_MOD_SHIFT && keys::control == GLFW_MOD_CONTROL &&
+              keys::alt == GLFW_MOD_ALT);
 
 constexpr double livelySeconds = 0.8;  // after an event: tooltips appear, hover colours change
 constexpr double livelyStep = 1.0 / 30;
@@ -124,16 +131,19 @@ class MainWindow {
     desk_ = std::make_unique<Desk>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
+    files_ = std::make_unique<WindowFiles>(stateFolder(), *desk_);
     std::string broken;
     savedProgress_ = loadProgress(progressPath(), broken);
     desk_->work().progress = savedProgress_;
     desk_->open(options.level);
+    if (!options.model.empty()) importOriginal(desk_->work(), options.model);
     if (!broken.empty()) desk_->work().message = broken;
     start(options);
     if (options.fullscreen) toggleFullscreen();
   }
   ~MainWindow() {
     ImGui_ImplGlfw_Shutdown();
+    files_.reset();
     desk_.reset();  // while the context lives
   }
   MainWindow(const MainWindow&) = delete;
@@ -145,6 +155,8 @@ class MainWindow {
       int width = 0, height = 0;
       glfwGetFramebufferSize(handle_.get(), &width, &height);
       if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
+        // The question about unsaved changes has to be seen.
+        if (desk_->ui().requests.quit) glfwRestoreWindow(handle_.get());
         glfwWaitEvents();
         continue;
       }
@@ -170,6 +182,7 @@ class MainWindow {
       return glfwPollEvents();
     }
     if (now - lastEvent_ < livelySeconds) return glfwWaitEventsTimeout(livelyStep);
+    if (const auto due = files_->secondsUntilDue(now)) return glfwWaitEventsTimeout(*due + 0.01);
     glfwWaitEvents();
   }
 
@@ -182,6 +195,7 @@ class MainWindow {
     ImGui_ImplGlfw_NewFrame();
     desk_->frame(seconds);
     glfwSwapBuffers(handle_.get());
+    files_->update(now);
     stateLog_.add(*desk_);
     serveRequests();
     showTitle();
@@ -263,10 +277,7 @@ class MainWindow {
   }
 
   void showTitle() {
-    const Level& level = desk_->work().session.level();
-    const std::string name =
-        level.title.empty() ? desk_->work().session.path().filename().string() : level.title;
-    const std::string title = name + (desk_->work().session.modified() ? " * - Anamorph" : " - Anamorph");
+    const std::string title = windowTitle(desk_->work().session);
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(handle_.get(), title.c_str());
@@ -290,7 +301,8 @@ class MainWindow {
       self.wakeUp();
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.desk_->key(keyByItsCap(key, code),
-                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER));
+                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER),
+                        action == GLFW_REPEAT);
       }
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
@@ -314,6 +326,15 @@ class MainWindow {
       ImGui_ImplGlfw_WindowFocusCallback(w, focused);
       of(w).wakeUp();
     });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+      of(w).desk_->drop({paths, paths + count});
+      of(w).wakeUp();
+    });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+      glfwSetWindowShouldClose(w, GLFW_FALSE);  // there may be something to save first
+      of(w).desk_->ui().requests.quit = true;
+      of(w).wakeUp();
+    });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).wakeUp(); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).wakeUp(); });
   }
@@ -323,6 +344,7 @@ class MainWindow {
   Preferences saved_;
   LessonProgress savedProgress_;
   std::unique_ptr<Desk> desk_;
+  std::unique_ptr<WindowFiles> files_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
   double lastFrame_ = 0, lastEvent_ = 0;

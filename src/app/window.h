@@ -11,6 +11,7 @@ namespace anamorph {
 
 struct WindowOptions {
   std::filesystem::path level;
+  std::filesystem::path model;  ///< a mesh that takes the original's place; empty: none
   std::optional<Theme> theme;
   std::string language;  ///< empty: as in the preferences
   std::optional<double> uiScale;

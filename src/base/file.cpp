@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int maxLinks = 40;  // as the kernel
+constexpr std::string_view temporaryName = ".anamorph-XXXXXX";
 
 std::string systemReason() {
   return std::strerror(errno);
@@ -93,7 +95,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   }
   if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(systemReason());
 
-  std::string name = target_.parent_path() / ".anamorph-XXXXXX";
+  std::string name = target_.parent_path() / temporaryName;
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) fail(systemReason());
   temporary_ = name;
@@ -128,6 +130,20 @@ void AtomicFile::commit() {
 
 void AtomicFile::fail(const std::string& what) const {
   throw Error("cannot write: " + what, path_.string());
+}
+
+void removeLeftTemporaries(const fs::path& folder) {
+  constexpr std::string_view beginning = temporaryName.substr(0, temporaryName.find('X'));
+  const auto oldest = fs::file_time_type::clock::now() - std::chrono::minutes(10);
+  std::error_code problem, ignored;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() != temporaryName.size() || name.compare(0, beginning.size(), beginning) != 0) continue;
+    if (!entry->is_regular_file(ignored) || entry->is_symlink(ignored)) continue;
+    const auto written = entry->last_write_time(ignored);
+    if (!ignored && written < oldest) fs::remove(entry->path(), ignored);
+  }
 }
 
 void writeFile(const fs::path& path, std::string_view bytes) {

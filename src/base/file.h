@@ -45,6 +45,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Removes what an AtomicFile has left in a folder because its program was killed: temporary files that
+/// nobody has written to for ten minutes. What cannot be removed stays.
+void removeLeftTemporaries(const std::filesystem::path& folder);
+
 /// AtomicFile with one write.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 

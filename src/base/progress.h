@@ -29,4 +29,13 @@ struct Progress {
   bool cancelled() const { return token.cancelled(); }
 };
 
+/// For a stage that takes the work from one share of the whole to another.
+inline Progress partOf(const Progress& whole, double from, double to) {
+  Progress part{{}, whole.token};
+  if (whole.report) {
+    part.report = [report = whole.report, from, to](double share) { report(from + share * (to - from)); };
+  }
+  return part;
+}
+
 }  // namespace anamorph

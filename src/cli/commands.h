@@ -9,6 +9,7 @@ namespace anamorph {
 void addDeformCommand(CLI::App& app, CommonOptions& common);
 void addMatchCommand(CLI::App& app, CommonOptions& common);
 void addRenderCommand(CLI::App& app, CommonOptions& common);
+void addExportCommand(CLI::App& app, CommonOptions& common);
 void addCheckCommand(CLI::App& app, CommonOptions& common);
 void addLevelsCommand(CLI::App& app, CommonOptions& common);
 

@@ -92,6 +92,7 @@ int runCommand(int argc, char** argv, const MoreCommands& more) {
   addRenderCommand(app, common);
   addCheckCommand(app, common);
   addLevelsCommand(app, common);
+  addExportCommand(app, common);
   for (const auto add : more.add) add(app, common);
   try {
     Arguments arguments(argv + std::min(argc, 1), argv + argc);

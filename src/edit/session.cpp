@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "base/error.h"
+#include "base/file.h"
+#include "edit/level_files.h"
 #include "level/level_json.h"
 
 namespace anamorph {
@@ -20,14 +23,48 @@ void fillScene(Level& level) {
 void Session::open(const std::filesystem::path& path) {
   LoadedLevel loaded = loadLevel(path);
   if (loaded.isThesisScene) fillScene(loaded.level);
-  path_ = path;
+  begin(path, std::move(loaded.level));
+  isThesisScene_ = loaded.isThesisScene;
   warnings_ = std::move(loaded.warnings);
-  level_ = std::move(loaded.level);
-  opened_ = level_;
+}
+
+void Session::begin(std::filesystem::path path, Level level) {
+  path_ = std::move(path);
+  isThesisScene_ = false;
+  warnings_.clear();
+  level_ = std::move(level);
+  saved_ = level_;
   before_.reset();
   undo_.clear();
   redo_.clear();
   ++generation_;
+}
+
+void Session::startNew(Level level) {
+  begin({}, std::move(level));
+}
+
+void Session::recover(const std::filesystem::path& file, Level level) {
+  try {
+    if (file.empty()) throw Error("no file");
+    open(file);
+  } catch (const Error&) {
+    begin(file, Level());
+  }
+  edit(std::move(level));
+}
+
+void Session::saveTo(const std::filesystem::path& path) {
+  finishChange();
+  const auto moved = [&](const Level& level) { return withMeshFrom(level, path_, path); };
+  Level level = moved(level_);
+  saveLevel(path, level);
+  removeLeftTemporaries(path.parent_path());
+  for (Level& step : undo_) step = moved(step);
+  for (Level& step : redo_) step = moved(step);
+  level_ = saved_ = std::move(level);
+  path_ = path;
+  isThesisScene_ = false;
 }
 
 void Session::change(Level level) {
@@ -69,7 +106,7 @@ void Session::redo() {
 }
 
 void Session::reset() {
-  edit(opened_);
+  edit(saved_);
 }
 
 }  // namespace anamorph

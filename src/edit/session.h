@@ -6,6 +6,9 @@
 //
 //      change(a) change(b) change(c) finishChange()        undo()
 //      |<------------- one step ---------------->|   back to before a
+//
+// The level as it is in its file is remembered too: it tells whether there is anything to save. Saving is no
+// step: the history goes on through it, and undoing a change that was saved makes the level a modified one.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +26,20 @@ class Session {
   /// leaves everything as it was.
   void open(const std::filesystem::path& path);
 
+  /// A level that has no file yet, with a history of its own.
+  void startNew(Level level);
+  /// What was rescued of an earlier session: `file` as it is on disk (a new level where it is empty or cannot
+  /// be read any more), and one step to `level`.
+  void recover(const std::filesystem::path& file, Level level);
+  /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
+  /// that goes on is finished first. Throws Error and leaves everything as it was, the file too.
+  void saveTo(const std::filesystem::path& path);
+
   const Level& level() const { return level_; }
+  /// Empty for a new level.
   const std::filesystem::path& path() const { return path_; }
+  /// Whether the file is a scene of the thesis, which a level cannot replace.
+  bool isThesisScene() const { return isThesisScene_; }
   /// Sentences about the file that was opened.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Grows with every level opened, so that others notice.
@@ -48,15 +63,18 @@ class Session {
   /// One step back; a change that goes on is cancelled instead. Without steps nothing happens.
   void undo();
   void redo();
-  /// The level as it was opened; one step to undo.
+  /// The level as it was opened or saved last; one step to undo.
   void reset();
 
-  /// Whether the level differs from what was opened.
-  bool modified() const { return !(level_ == opened_); }
+  /// Whether the level differs from what was opened or saved last.
+  bool modified() const { return !(level_ == saved_); }
 
  private:
+  void begin(std::filesystem::path path, Level level);
+
   std::filesystem::path path_;
-  Level level_, opened_;
+  bool isThesisScene_ = false;
+  Level level_, saved_;
   std::vector<std::string> warnings_;
   int generation_ = 0, undoCount_ = 0;
   std::optional<Level> before_;  // of the change that goes on

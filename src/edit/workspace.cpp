@@ -59,6 +59,17 @@ Box mirrorBox(const Level& level) {
 
 void openLevel(Workspace& work, const std::filesystem::path& path) {
   work.session.open(path);
+  lookAfresh(work);
+  work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
+}
+
+void openNewLevel(Workspace& work) {
+  work.session.startNew(Level());
+  lookAfresh(work);
+  work.message.clear();
+}
+
+void lookAfresh(Workspace& work) {
   const ViewSettings& view = work.session.level().view;
   work.pose = soundPose({view.eye, view.target, {0, 0, 1}, view.fovDegrees, false});
   work.flight.reset();
@@ -70,10 +81,10 @@ void openLevel(Workspace& work, const std::filesystem::path& path) {
   work.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
   work.display.morph = 1;
   work.animationSeconds = 0;
-  work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
 }
 
 bool advance(Workspace& work, double seconds) {
+  if (auto message = work.job.update(work.session)) work.message = std::move(*message);
   dropStaleSelection(work);
   bool changed = advancePlay(work, seconds);
   changed |= advanceView(work, seconds);

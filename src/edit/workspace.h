@@ -10,6 +10,7 @@
 
 #include "edit/construction.h"
 #include "edit/display_settings.h"
+#include "edit/edit_job.h"
 #include "edit/gizmo.h"
 #include "edit/lesson_run.h"
 #include "edit/morph_stage.h"
@@ -32,10 +33,11 @@ struct PreviewSettings {
 };
 
 struct Workspace {
-  explicit Workspace(std::function<void()> wake = {}, int threads = 0) : studio(std::move(wake), threads) {}
+  explicit Workspace(std::function<void()> wake = {}, int threads = 0) : studio(wake, threads), job(wake) {}
 
   Session session;
   Studio studio;
+  EditJob job;  ///< an edit that is made in the background
 
   DisplaySettings display;
   RaySettings rays;
@@ -69,6 +71,12 @@ struct Workspace {
 
 /// Opens a level and looks at it from where it wants to be looked at. Throws Error and changes nothing then.
 void openLevel(Workspace& work, const std::filesystem::path& path);
+
+/// Begins a new level, the default one, and looks at it likewise.
+void openNewLevel(Workspace& work);
+
+/// Looks at the session's level as at one that has just been opened.
+void lookAfresh(Workspace& work);
 
 /// Goes on by `seconds`: flights, the rays' animation, the studio. Returns whether anything changed that is
 /// shown.

@@ -6,6 +6,8 @@
 
 #include "edit/orbit.h"
 #include "panels/lesson_text.h"
+#include "panels/dialog.h"
+#include "panels/file_flow.h"
 #include "panels/view_panel.h"
 #include "panels/widgets.h"
 
@@ -77,11 +79,17 @@ bool isOpen(const Workspace& work, const LevelEntry& entry) {
 
 const std::vector<ActionText>& actionTexts() {
   static const std::vector<ActionText> texts{
+      {Action::newLevel, "New level", "A box behind a plane mirror, to begin with"},
+      {Action::open, "Open...", "A level, or a scene of the thesis"},
+      {Action::save, "Save", "An installed level is saved as one of your own"},
+      {Action::saveAs, "Save as...", "Under another name"},
       {Action::undo, "Undo", "One step back; a drag is one step"},
       {Action::redo, "Redo", "One step forward again"},
       {Action::cancel, "Cancel",
        "Ends a drag without its effect, then lets go of pixel, vertex and selection"},
-      {Action::resetLevel, "Reset the level", "As it was opened; can be undone"},
+      {Action::resetLevel, "Reset the level", "As it was opened or saved last; can be undone"},
+      {Action::copyLevel, "Copy the level", "As text, to be sent or pasted anywhere"},
+      {Action::pasteLevel, "Paste a level", "From a text, in place of this one; can be undone"},
       {Action::moveMode, "Move", "The gizmo moves the selection"},
       {Action::rotateMode, "Rotate", "The gizmo turns the selection"},
       {Action::scaleMode, "Scale", "The gizmo scales the selection"},
@@ -119,6 +127,12 @@ const std::vector<ActionText>& actionTexts() {
 std::vector<Shortcut> shortcuts(bool vrtKeys) {
   using namespace keys;
   std::vector<Shortcut> table{
+      {Action::newLevel, 'N', control, "Ctrl+N"},
+      {Action::open, 'O', control, "Ctrl+O"},
+      {Action::save, 'S', control, "Ctrl+S"},
+      {Action::saveAs, 'S', control | shift, "Ctrl+Shift+S"},
+      {Action::copyLevel, 'C', control | shift, "Ctrl+Shift+C"},
+      {Action::pasteLevel, 'V', control | shift, "Ctrl+Shift+V"},
       {Action::undo, 'Z', control, "Ctrl+Z"},
       {Action::redo, 'Y', control, "Ctrl+Y"},
       {Action::redo, 'Z', control | shift, "Ctrl+Shift+Z"},
@@ -139,6 +153,8 @@ std::vector<Shortcut> shortcuts(bool vrtKeys) {
       {Action::nextStep, right, alt, "Alt+Right"},
       {Action::showStep, 'M', 0, "M"},
       {Action::present, f3, 0, "F3"},
+      {Action::progress, f4, 0, "F4"},
+      {Action::tour, f1, shift, "Shift+F1"},
       {Action::reload, f5, 0, "F5"},
       {Action::renderImage, 'R', control | shift, "Ctrl+Shift+R"},
       {Action::screenshot, f12, 0, "F12"},
@@ -170,6 +186,19 @@ std::string keyNameOf(Action action, bool vrtKeys) {
 
 void perform(Action action, Workspace& work, UiState& ui) {
   switch (action) {
+    case Action::newLevel:
+      ui.requests.startNew = true;
+      return;
+    case Action::open:
+      return chooseLevel(work, ui);
+    case Action::save:
+      return saveCurrent(work, ui);
+    case Action::saveAs:
+      return saveCurrentAs(work, ui);
+    case Action::copyLevel:
+      return copyLevel(work);
+    case Action::pasteLevel:
+      return pasteLevel(work, ui);
     case Action::undo:
       endViewDrag(work, ui, true);
       letGoOfWidgets();
@@ -259,7 +288,11 @@ void perform(Action action, Workspace& work, UiState& ui) {
   }
 }
 
-bool handleKey(int key, int modifiers, Workspace& work, UiState& ui) {
+bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeated) {
+  if (isDialogOpen(ui)) {
+    if (modifiers == 0) ui.dialogKeys.push_back({key, repeated});
+    return true;
+  }
   if (ui.viewDrag == ViewDrag::gizmo && key >= 'X' && key <= 'Z' && (modifiers & keys::control) == 0) {
     const int axis = key - 'X';
     ui.axisLock = ui.axisLock == axis ? -1 : axis;

@@ -12,6 +12,12 @@
 namespace anamorph {
 
 enum class Action {
+  newLevel,
+  open,
+  save,
+  saveAs,
+  copyLevel,
+  pasteLevel,
   reload,
   screenshot,
   renderImage,
@@ -49,8 +55,9 @@ enum class Action {
 
 /// Key codes as GLFW numbers them: letters and digits are their capital ASCII characters.
 namespace keys {
-constexpr int escape = 256, tab = 258, pageUp = 266, pageDown = 267, home = 268, f1 = 290, f2 = 291, f5 = 294,
-              f3 = 292, f11 = 300, f12 = 301, left = 263, right = 262, pad0 = 320, space = 32;
+constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, right = 262, left = 263, down = 264,
+              up = 265, pageUp = 266, pageDown = 267, home = 268, end = 269, padEnter = 335, f1 = 290,
+              f2 = 291, f3 = 292, f4 = 293, f5 = 294, f11 = 300, f12 = 301, pad0 = 320, space = 32;
 constexpr int shift = 1, control = 2, alt = 4;
 }  // namespace keys
 
@@ -84,7 +91,7 @@ bool hasNextLevel(const Workspace& work, const UiState& ui);
 void perform(Action action, Workspace& work, UiState& ui);
 
 /// A key went down while no text is typed. Returns whether it meant something. X, Y and Z lock the axis of a
-/// drag.
-bool handleKey(int key, int modifiers, Workspace& work, UiState& ui);
+/// drag. While a dialog is open it gets the key, also while text is typed; `repeated`: it is held down.
+bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeated = false);
 
 }  // namespace anamorph

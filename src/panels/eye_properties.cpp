@@ -1,5 +1,12 @@
 // The RT camera: eye, aim, field of view, pixel grid, and how it traces.
 
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/language.h"
+#include "panels/help_buttons.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -8,15 +15,35 @@ namespace {
 
 constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
 
-bool cameraRows(const UiState& ui, Camera& camera) {
+// Below the eye's place: what is wrong with it.
+std::string eyeProblem(const Level& level) {
+  const MirrorShape& mirror = level.optic.shape;
+  return findShapeProblem(mirror) ? "" : findEyeProblem(mirror, level.camera.eye).value_or("");
+}
+
+void liftRow(Workspace& work, const UiState& ui) {
+  const auto& match = work.studio.products().match;
+  const double hidden = match ? match->report.hiddenShare : 0;
+  if (hidden > 0) {
+    quietText(ui, fmt::format(fmt::runtime(tr("The sculpture hides {:.1f} % of its own reflection.")),
+                              std::max(0.1, 100 * hidden))
+                      .c_str());
+  }
+  liftButton(work);
+}
+
+bool cameraRows(Workspace& work, const UiState& ui, Level& level) {
+  Camera& camera = level.camera;
   bool changed = false;
   if (section(ui, "RT camera")) {
     changed |= vectorRow("Eye", camera.eye, coordinates,
                          "Where the viewer's eye is. The sculpture is made for this one point.");
+    problemText(ui, eyeProblem(level));
     changed |= vectorRow("Looks at", camera.target, coordinates,
                          "The middle of its image. Where it looks does not change the sculpture.");
     changed |= sliderRow("Field of view", camera.fovDegrees, {20, 120, 0.1, "%.1f°"},
                          "Of the image, from its lower to its upper edge.");
+    liftRow(work, ui);
   }
   if (section(ui, "Pixel grid")) {
     changed |= integerRow("Columns", camera.gridColumns, 1, 64,
@@ -44,7 +71,7 @@ bool tracingRows(const UiState& ui, TracingSettings& tracing) {
 
 void drawEyeProperties(Workspace& work, UiState& ui) {
   Level level = work.session.level();
-  bool changed = cameraRows(ui, level.camera);
+  bool changed = cameraRows(work, ui, level);
   if (section(ui, "Shown as")) {
     checkRow("Camera, frustum and grid", work.display.rtCamera, "In the 3D view.");
     sliderRow("Grid opacity", work.display.screenOpacity, {0, 1, 0.01, "%.2f"},

@@ -38,9 +38,9 @@ struct LayoutInput {
   float width = 0, height = 0;  ///< of the window, pixels
   float scale = 1;
   float leftWidth = 0, rightWidth = 0, previewHeight = 0;  ///< at scale 1
-  int levels = 0;                                          ///< rows of the level list
   bool panelsHidden = false;
   bool previewExpanded = false;  ///< the preview takes half of the window
+  int levels = 0;                ///< rows of the level list
 };
 
 Layout makeLayout(const LayoutInput& input);

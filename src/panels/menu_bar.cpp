@@ -1,5 +1,8 @@
 // The menu bar, with the match score at its right end.
 
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -22,10 +25,41 @@ void item(Action action, Workspace& work, UiState& ui, bool enabled = true, bool
   }
 }
 
+void recentMenu(UiState& ui) {
+  if (!ImGui::BeginMenu(tr("Recent"), !ui.recentLevels.empty())) return;
+  for (const std::filesystem::path& path : ui.recentLevels) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(path, ignored);
+    ImGui::PushID(path.c_str());
+    if (ImGui::MenuItem(path.filename().c_str(), nullptr, false, there)) ui.requests.open = path;
+    ImGui::PopID();
+    tooltip(there ? path.c_str()
+                  : fmt::format(fmt::runtime(tr("{} is not there any more.")), path.string()).c_str());
+  }
+  ImGui::EndMenu();
+}
+
+void fileMenu(Workspace& work, UiState& ui) {
+  item(Action::newLevel, work, ui);
+  item(Action::open, work, ui);
+  recentMenu(ui);
+  item(Action::reload, work, ui, !work.session.path().empty());
+  ImGui::Separator();
+  item(Action::save, work, ui);
+  item(Action::saveAs, work, ui);
+  ImGui::Separator();
+  item(Action::renderImage, work, ui);
+  item(Action::screenshot, work, ui);
+  ImGui::Separator();
+  item(Action::quit, work, ui);
+}
+
 void editMenu(Workspace& work, UiState& ui) {
   item(Action::undo, work, ui, work.session.canUndo());
   item(Action::redo, work, ui, work.session.canRedo());
   item(Action::resetLevel, work, ui, work.session.modified());
+  item(Action::copyLevel, work, ui);
+  item(Action::pasteLevel, work, ui);
   ImGui::Separator();
   item(Action::moveMode, work, ui, true, work.gizmoMode == GizmoMode::move);
   item(Action::rotateMode, work, ui, true, work.gizmoMode == GizmoMode::rotate);
@@ -53,11 +87,7 @@ void viewMenu(Workspace& work, UiState& ui) {
 
 void menus(Workspace& work, UiState& ui) {
   if (ImGui::BeginMenu(tr("File"))) {
-    item(Action::reload, work, ui);
-    item(Action::renderImage, work, ui);
-    item(Action::screenshot, work, ui);
-    ImGui::Separator();
-    item(Action::quit, work, ui);
+    fileMenu(work, ui);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("Edit"))) {

@@ -1,5 +1,6 @@
 // The mirror: its shape, its place, its look.
 
+#include "edit/replacements.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -7,17 +8,7 @@ namespace anamorph {
 namespace {
 
 constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
-constexpr NumberRange lengths{0, 1e6, 0.01, "%.2f"};
-
-// Another kind of mirror about the same centre, of a size that goes with the lengths of the levels.
-MirrorShape replacement(int kind, const MirrorShape& old) {
-  const Point c = middleOf(old);
-  if (kind == 0)
-    return PlaneMirror{
-        {c + Vector(-5, 0, -4), c + Vector(5, 0, -4), c + Vector(5, 0, 4), c + Vector(-5, 0, 4)}};
-  if (kind == 1) return CylinderMirror{c - Vector(0, 0, 5), c + Vector(0, 0, 5), 3};
-  return SphereMirror{c, 4};
-}
+constexpr NumberRange lengths{1e-6, 1e6, 0.01, "%.2f"};  // what a level can hold
 
 struct ShapeRows {
   bool operator()(PlaneMirror& plane) const {
@@ -57,12 +48,14 @@ void drawMirrorProperties(Workspace& work, UiState& ui) {
   bool changed = false;
   if (section(ui, "Mirror")) {
     int kind = static_cast<int>(shape.index());
-    if (choiceRow("Shape", kind, {"Plane", "Cylinder", "Sphere"}) &&
+    if (choiceRow("Shape", kind, {"Plane", "Cylinder", "Sphere"},
+                  "Another one has the same middle, and is as large as fits the old one.") &&
         kind != static_cast<int>(shape.index())) {
-      shape = replacement(kind, shape);
+      shape = mirrorOfKind(static_cast<std::size_t>(kind), shape, level.camera.eye);
       changed = true;
     }
     changed |= std::visit(ShapeRows{}, shape);
+    problemText(ui, findShapeProblem(shape).value_or(""));
   }
   if (section(ui, "Look", false)) {
     changed |= colorRow("Tint", level.mirrorLook.tint, "The colour of what it reflects.");

@@ -1,26 +1,22 @@
 // The original: what it is, where it stands, how it looks.
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/language.h"
+#include "edit/replacements.h"
+#include "panels/file_flow.h"
+#include "panels/help_buttons.h"
 #include "panels/material_rows.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
-
-OriginalShape defaultShape(int kind) {
-  switch (kind) {
-    case 1:
-      return SphereShape{};
-    case 2:
-      return TorusKnotShape{};
-    case 3:
-      return LetterFShape{};
-    case 4:
-      return PawnShape{};
-    default:
-      return BoxShape{};
-  }
-}
 
 struct ShapeRows {
   bool operator()(BoxShape& box) const {
@@ -56,16 +52,41 @@ struct ShapeRows {
   }
 };
 
-bool shapeRows(OriginalShape& shape) {
+// Another built-in shape fits the old one's box; a mesh comes from the file browser.
+bool shapeRows(Workspace& work, UiState& ui, Level& level) {
+  OriginalShape& shape = level.original.shape;
   std::vector<const char*> names{"Box", "Sphere", "Torus knot", "Letter F", "Pawn"};
-  if (std::holds_alternative<FileShape>(shape)) names.push_back("Mesh file");
+  const bool isFile = std::holds_alternative<FileShape>(shape);
+  if (isFile) names.push_back("Mesh file");
   int kind = static_cast<int>(shape.index());
   if (choiceRow("Shape", kind, names, "What is to be seen in the mirror.") &&
       kind != static_cast<int>(shape.index())) {
-    shape = defaultShape(kind);
+    level = withBuiltInOriginal(level, static_cast<std::size_t>(kind), originalBox(work));
     return true;
   }
-  return std::visit(ShapeRows{}, shape);
+  const bool changed = std::visit(ShapeRows{}, shape);
+  const Products& products = work.studio.products();
+  if (!products.original.mesh && products.problem) problemText(ui, *products.problem);  // it cannot be read
+  if (wideButton(
+          isFile ? "Another mesh..." : "A mesh from a file...",
+          "OBJ, STL or PLY, fitted to where the original is now. It can be dropped on the window, too.")) {
+    chooseOriginal(work, ui);
+  }
+  return changed;
+}
+
+// How many of its vertices are not mapped, most frequent reason first.
+std::string missedText(const Products& products) {
+  if (!products.sculpture.sculpture) return "";
+  const StatusCounts& counts = products.sculpture.sculpture->originalStatus;
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  const auto worst = std::max_element(counts.begin() + 1, counts.end());
+  if (*worst == 0) return "";
+  constexpr std::array texts{
+      "", "{} of {} vertices miss the mirror", "{} of {} vertices are in front of the mirror",
+      "{} of {} vertex rays only graze the mirror", "{} of {} vertex rays meet the mirror a second time"};
+  return fmt::format(fmt::runtime(tr(texts.at(static_cast<std::size_t>(worst - counts.begin())))), *worst,
+                     all);
 }
 
 bool placementRows(Placement& placement) {
@@ -73,7 +94,7 @@ bool placementRows(Placement& placement) {
       vectorRow("Position", placement.position, {-1e6, 1e6, 0.02, "%.2f"}, "Of the shape's own origin.");
   changed |=
       vectorRow("Rotation", placement.rotationDegrees, {-1e6, 1e6, 0.5, "%.1f°"}, "About x, then y, then z.");
-  changed |= vectorRow("Scale", placement.scale, {0, 1000, 0.005, "%.3f"}, "Along the shape's own axes.");
+  changed |= vectorRow("Scale", placement.scale, {1e-6, 1000, 0.005, "%.3f"}, "Along the shape's own axes.");
   return changed;
 }
 
@@ -82,8 +103,13 @@ bool placementRows(Placement& placement) {
 void drawOriginalProperties(Workspace& work, UiState& ui) {
   Level level = work.session.level();
   bool changed = false;
-  if (section(ui, "Original")) changed |= shapeRows(level.original.shape);
-  if (section(ui, "Placement")) changed |= placementRows(level.original.placement);
+  if (section(ui, "Original")) changed |= shapeRows(work, ui, level);
+  if (section(ui, "Placement")) {
+    changed |= placementRows(level.original.placement);
+    problemText(ui, missedText(work.studio.products()));
+    fitButton(work, ui);
+    behindButton(work);
+  }
   if (section(ui, "Shown as")) {
     int look = static_cast<int>(work.display.originalLook);
     if (choiceRow("Original", look, {"Solid", "Ghost", "Hidden"},

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "panels/lesson_text.h"
+#include "panels/dialog.h"
 #include "panels/view_panel.h"
 
 namespace anamorph {
@@ -63,7 +64,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          static_cast<int>(ui.levels.size()), ui.panelsHidden, work.preview.expanded});
+                          ui.panelsHidden, work.preview.expanded, static_cast<int>(ui.levels.size())});
   updateHighlight(ui, static_cast<double>(ImGui::GetIO().DeltaTime));
   drawViewPanel(work, ui);
   drawMenuBar(work, ui);
@@ -78,6 +79,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawProgressWindow(work, ui);
   drawPresenter(work, ui);
   drawTour(work, ui);
+  drawDialogs(work, ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
   if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;

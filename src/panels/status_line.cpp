@@ -35,6 +35,17 @@ void progress(Workspace& work, const UiState& ui) {
   if (ImGui::SmallButton("Cancel")) work.studio.cancel();
 }
 
+// An edit that is made in the background.
+void jobProgress(Workspace& work, const UiState& ui) {
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SameLine(0, 24 * s);
+  ImGui::TextUnformatted(work.job.name().c_str());
+  ImGui::SameLine();
+  ImGui::ProgressBar(static_cast<float>(work.job.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("Cancel##job")) work.job.cancel();
+}
+
 }  // namespace
 
 void drawStatusLine(Workspace& work, UiState& ui) {
@@ -48,6 +59,7 @@ void drawStatusLine(Workspace& work, UiState& ui) {
   const std::string state = stateText(products);
   ImGui::TextUnformatted(state.c_str());
   if (work.studio.busy() && !products.complete && !ui.headless) progress(work, ui);
+  if (work.job.busy()) jobProgress(work, ui);
   const std::string message = !work.message.empty()        ? work.message
                               : !products.warnings.empty() ? products.warnings.front()
                                                            : std::string();

@@ -14,6 +14,7 @@
 #include "edit/pick.h"
 #include "edit/selection.h"
 #include "level/level_library.h"
+#include "panels/file_browser.h"
 #include "panels/layout.h"
 
 struct ImFont;
@@ -62,13 +63,50 @@ struct UiTextures {
   std::map<std::string, UiTexture> thumbnails;  ///< by the level's name
 };
 
+/// What is to become of something that was rescued of a session that ended badly.
+struct RecoveryAnswer {
+  enum class Kind { restore, discard, later };
+  Kind kind = Kind::later;
+  std::size_t index = 0;  ///< of the entry
+};
+
+/// A level that an earlier session could not save.
+struct RecoveryEntry {
+  std::filesystem::path level;  ///< its file; empty for one that had none
+  std::string title, time;
+  std::string problem;  ///< why it cannot be restored; empty: it can
+};
+
+/// What waits for an answer because there are unsaved changes.
+struct UnsavedQuestion {
+  enum class Next { open, startNew, quit };
+  enum class Answer { none, save, drop };
+  Next next = Next::open;
+  std::filesystem::path path;    ///< to open
+  Answer answer = Answer::none;  ///< save: it goes on as soon as the level is saved
+};
+
+/// Something that did not work and must not be overlooked.
+struct Notice {
+  std::string title;  ///< English
+  std::string text;
+};
+
+/// A key that was pressed while a dialog was open.
+struct DialogKey {
+  int key = 0;
+  bool repeated = false;  ///< it is held down
+};
+
 /// What only the window can do; taken and cleared by it after every frame.
 struct UiRequests {
   bool quit = false;
   bool toggleFullscreen = false;
   bool screenshot = false;
   bool startRender = false, cancelRender = false, saveRender = false;
-  std::optional<std::filesystem::path> open;
+  std::optional<std::filesystem::path> open;  ///< a level; asked about first when there are unsaved changes
+  bool startNew = false;                      ///< likewise
+  std::optional<RecoveryAnswer> recovery;
 };
 
 enum class PropertyTab { eye, original, mirror, sculpture, lights, rays, view };
@@ -98,6 +136,14 @@ struct UiState {
   UiRequests requests;
   std::vector<LevelEntry> levels;
   std::vector<LanguageChoice> languages;
+
+  FileBrowser browser;
+  std::optional<UnsavedQuestion> unsaved;
+  std::optional<Notice> notice;
+  std::vector<RecoveryEntry> recoveries;  ///< that are offered
+  std::size_t recoverySelected = 0;
+  std::vector<DialogKey> dialogKeys;                               ///< since the last frame
+  std::vector<std::filesystem::path> recentLevels, recentFolders;  ///< newest first
 
   bool panelsHidden = false;
   bool helpOpen = false;

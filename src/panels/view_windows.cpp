@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "base/language.h"
+#include "edit/level_helpers.h"
 #include "edit/level_repairs.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
@@ -53,7 +54,11 @@ void repairButtons(Workspace& work) {
     ImGui::SameLine();
   } else if (!findShapeProblem(level.optic.shape)) {
     const Level behind = originalMovedBehind(level, box);
-    if (!(behind == level)) {
+    if (behind == level && products.original.mesh) {
+      const auto fitted = originalFittedToMirror(level, products.original.mesh->positions);
+      if (fitted && ImGui::Button(tr("Fit to the mirror"))) work.session.edit(*fitted);
+      if (fitted) ImGui::SameLine();
+    } else if (!(behind == level)) {
       if (ImGui::Button("Put the original behind the mirror")) work.session.edit(behind);
       ImGui::SameLine();
     }

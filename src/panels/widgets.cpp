@@ -249,6 +249,17 @@ void quietText(const UiState& ui, const char* text) {
   ImGui::PopStyleColor();
 }
 
+void problemText(const UiState& ui, const std::string& text) {
+  if (text.empty()) return;
+  std::string sentence = tr(text);
+  if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 32);
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(sentence.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
 bool wideButton(const char* name, const char* help, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const bool pressed = ImGui::Button(label(name).c_str(), {-FLT_MIN, 0});

@@ -61,6 +61,10 @@ bool closePopups();
 /// Wrapped text of second rank.
 void quietText(const UiState& ui, const char* text);
 
+/// What is wrong, in red, below the row that it is about; begins with a capital letter. Nothing for an empty
+/// text.
+void problemText(const UiState& ui, const std::string& text);
+
 /// A button as wide as the column.
 bool wideButton(const char* name, const char* help = "", bool enabled = true);
 

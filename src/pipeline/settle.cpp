@@ -8,15 +8,6 @@
 namespace anamorph {
 namespace {
 
-// The part of the whole that a stage reports on.
-Progress partOf(const Progress& whole, double from, double to) {
-  Progress part{{}, whole.token};
-  if (whole.report) {
-    part.report = [report = whole.report, from, to](double share) { report(from + share * (to - from)); };
-  }
-  return part;
-}
-
 // For what a stage was cancelled in: thrown through Memo so that nothing half-made is kept, caught in
 // settle().
 struct Cancelled {};

@@ -11,6 +11,7 @@
 #include "level/json.h"
 #include "level/level_json.h"
 #include "panels/actions.h"
+#include "panels/help_buttons.h"
 #include "panels/view_panel.h"
 
 namespace anamorph::testing {
@@ -91,9 +92,58 @@ TEST_F(OpenDesk, ALevelThatCannotBeOpenedLeavesTheOldOne) {
   desk().open(folder / "broken.json");
   frames(2);
   EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
-  EXPECT_NE(work().message.find("broken.json"), std::string::npos);
+  ASSERT_TRUE(ui().notice);
+  EXPECT_NE(ui().notice->text.find("broken.json"), std::string::npos);
   desk().open(folder / "gone.json");
-  EXPECT_NE(work().message.find("gone.json"), std::string::npos);
+  EXPECT_NE(ui().notice->text.find("gone.json"), std::string::npos);
+  frames(2);
+  desk().key(keys::enter, 0);
+  frames(2);
+  EXPECT_FALSE(ui().notice);
+}
+
+TEST_F(OpenDesk, AMeshThatIsDroppedIsTheOriginal) {
+  while (!work().studio.products().complete) frames(1);
+  desk().drop({std::filesystem::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj"});
+  EXPECT_TRUE(desk().unfinished());
+  for (int i = 0; i < 2000 && work().job.busy(); ++i) frames(1);
+  ASSERT_TRUE(std::holds_alternative<FileShape>(work().session.level().original.shape));
+  while (!work().studio.products().complete) frames(1);
+  EXPECT_EQ(work().studio.products().problem, std::nullopt);
+  EXPECT_GT(work().studio.products().match->report.silhouetteIou, 0.95);
+  desk().key('Z', keys::control);
+  EXPECT_FALSE(work().session.modified());
+}
+
+TEST_F(OpenDesk, ALevelThatIsDroppedWaitsForTheQuestion) {
+  Level level = work().session.level();
+  level.sculpture.depthScale = 2;
+  work().session.edit(level);
+  desk().drop({levelPath("3-sphere")});
+  frames(2);
+  EXPECT_EQ(work().session.path(), levelPath("1-plane"));
+  ASSERT_TRUE(ui().unsaved);
+  desk().key('D', 0);
+  frames(2);
+  EXPECT_EQ(work().session.path(), levelPath("3-sphere"));
+}
+
+TEST_F(OpenDesk, TheEyeIsLiftedWithoutStopping) {
+  while (!work().studio.products().complete) frames(1);
+  Level level = work().session.level();
+  level.camera.eye.z = 1;
+  work().session.edit(level);
+  frames(1);
+  while (!work().studio.products().complete) frames(1);
+  ASSERT_GT(work().studio.products().match->report.hiddenShare, 0);
+  startLift(work());
+  int drawn = 0;
+  for (; drawn < 5000 && work().job.busy(); ++drawn) frames(1);
+  EXPECT_GT(drawn, 3) << "frames go on meanwhile";
+  EXPECT_GT(work().session.level().camera.eye.z, 1) << work().message;
+  frames(1);
+  while (!work().studio.products().complete) frames(1);
+  EXPECT_EQ(work().studio.products().match->report.hiddenShare, 0);
 }
 
 TEST_F(DeskTest, WithoutAnyLevelTheErrorIsTheCallers) {

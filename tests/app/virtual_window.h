@@ -203,6 +203,7 @@ class VirtualWindow {
     Environment environment{{"DISPLAY", screen_.display()},
                             {"HOME", folder_ / ""},
                             {"XDG_CONFIG_HOME", folder_ / "config"},
+                            {"XDG_STATE_HOME", folder_ / "state"},
                             {"WAYLAND_DISPLAY", ""}};
     for (const auto& [name, value] : more) environment[name] = value;
     arguments.insert(arguments.begin(), {ANAMORPH_PROGRAM, "open"});
@@ -211,6 +212,8 @@ class VirtualWindow {
   }
 
   Process& program() { return *program_; }
+  /// A name in the folder that is the user's home.
+  std::string inHome(const std::string& name) const { return folder_ / name; }
   std::string errorText() const { return readAll(folder_ / "err"); }
   std::string preferencesPath() const { return folder_ / "config/anamorph/preferences.json"; }
 

@@ -23,7 +23,7 @@ std::vector<Action> allActions() {
 
 bool anythingAsked(const UiRequests& requests) {
   return requests.quit || requests.toggleFullscreen || requests.screenshot || requests.startRender ||
-         requests.cancelRender || requests.saveRender || requests.open;
+         requests.cancelRender || requests.saveRender || requests.open || requests.startNew;
 }
 
 TEST(Actions, EveryOneHasItsTextOnce) {
@@ -102,8 +102,8 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
 }
 
 TEST(Actions, OnlyTheWindowsOwnAreAskedOfIt) {
-  const std::set<Action> asked{Action::reload, Action::screenshot, Action::quit, Action::fullscreen,
-                               Action::nextLevel};
+  const std::set<Action> asked{Action::reload,     Action::screenshot, Action::quit,
+                               Action::fullscreen, Action::nextLevel,  Action::newLevel};
   for (const Action action : allActions()) {
     Workspace work({}, 1);
     openLevel(work, levels / "1-plane.json");

@@ -19,9 +19,13 @@ struct Named {
 };
 
 std::vector<Named> partsOf(const Layout& layout) {
-  return {{"menu", layout.menu},       {"left", layout.left},
-          {"view", layout.view},       {"properties", layout.properties},
-          {"preview", layout.preview}, {"status", layout.status}};
+  return {{"menu", layout.menu},
+          {"left", layout.left},
+          {"lesson", layout.lesson},
+          {"view", layout.view},
+          {"properties", layout.properties},
+          {"preview", layout.preview},
+          {"status", layout.status}};
 }
 
 float overlap(float a, float aSize, float b, float bSize) {

@@ -1,0 +1,265 @@
+#include "app/autosave.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <utility>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/language.h"
+#include "level/json_object.h"
+#include "level/level_json.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+
+const JsonValue& member(const JsonValue& object, const std::string& key, JsonValue::Kind kind,
+                        const std::string& file) {
+  const auto at = std::find(object.keys.begin(), object.keys.end(), key);
+  if (at != object.keys.end()) {
+    const JsonValue& value = object.items[static_cast<std::size_t>(at - object.keys.begin())];
+    if (value.kind == kind) return value;
+  }
+  throw Error("expected an unsaved level, got something else", file, "/" + key);
+}
+
+std::string format(const Session& session) {
+  return formatJson(
+             JsonObject()
+                 .add("format", std::string("anamorph-recovery"))
+                 .add("path", session.path().empty() ? std::string() : fs::absolute(session.path()).string())
+                 .add("time", static_cast<double>(std::time(nullptr)))
+                 .add("level", parseJson(formatLevel(session.level()), "the level"))
+                 .value()) +
+         "\n";
+}
+
+// A mirror of radius 0, for example, can be had in the window but not in a file.
+bool canBeRead(const Level& level) {
+  try {
+    parseLevel(formatLevel(level), "the level");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+std::string timeText(std::time_t time) {
+  const std::time_t now = std::time(nullptr);
+  const double minutes = std::difftime(now, time) / 60;
+  const std::string clock = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(time));
+  if (minutes < 1 || minutes > 24 * 60) return clock;
+  if (minutes < 100) return fmt::format(fmt::runtime(tr("{}, {:.0f} minutes ago")), clock, minutes);
+  return fmt::format(fmt::runtime(tr("{}, {:.0f} hours ago")), clock, minutes / 60);
+}
+
+void read(Rescued& rescued) {
+  const std::string name = rescued.file.string();
+  const JsonValue json = parseJson(readFile(rescued.file, 2 * maxLevelBytes).view(), name);
+  if (member(json, "format", JsonValue::Kind::string, name).text != "anamorph-recovery") {
+    throw Error("expected an unsaved level, got something else", name, "/format");
+  }
+  rescued.levelPath = member(json, "path", JsonValue::Kind::string, name).text;
+  rescued.entry.level = rescued.levelPath;
+  rescued.entry.time =
+      timeText(static_cast<std::time_t>(member(json, "time", JsonValue::Kind::number, name).number));
+  rescued.level = parseLevel(formatJson(member(json, "level", JsonValue::Kind::object, name)), name).level;
+  rescued.entry.title = rescued.level.title.empty() ? tr("Untitled") : tr(rescued.level.title);
+}
+
+fs::path lockOf(fs::path file) {
+  return file.replace_extension(".lock");
+}
+
+bool isRecovery(const fs::path& file) {
+  return file.extension() == ".json" && file.filename().string().starts_with("recovery-");
+}
+
+// Of windows that died when they had nothing to lose.
+void removeLeftLocks(const fs::path& folder) {
+  std::error_code problem, ignored;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const fs::path& lock = entry->path();
+    fs::path file = lock;
+    if (lock.extension() != ".lock" || fs::exists(file.replace_extension(".json"), ignored)) continue;
+    FileLock(lock).removeFile();
+  }
+}
+
+fs::file_time_type timeOf(const fs::path& file) {
+  std::error_code failure;
+  const auto time = fs::last_write_time(file, failure);
+  return failure ? fs::file_time_type::min() : time;
+}
+
+}  // namespace
+
+FileLock::FileLock(const fs::path& path) : path_(path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return;
+  struct stat opened {
+  }, there{};
+  // Whoever held it may have removed the file meanwhile: then this is a lock that nobody else sees.
+  const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &opened) == 0 &&
+                      ::stat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino;
+  if (locked) {
+    descriptor_ = file;
+  } else {
+    ::close(file);
+  }
+}
+
+FileLock::~FileLock() {
+  if (held()) ::close(descriptor_);
+}
+
+FileLock::FileLock(FileLock&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+void FileLock::removeFile() {
+  if (!held()) return;
+  ::unlink(path_.c_str());
+  ::close(std::exchange(descriptor_, -1));
+}
+
+std::vector<Rescued> findRescued(const fs::path& folder) {
+  std::vector<Rescued> found;
+  std::error_code problem;
+  removeLeftLocks(folder);
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    if (!isRecovery(entry->path())) continue;
+    Rescued rescued{entry->path(), FileLock(lockOf(entry->path())), {}, {}, {}};
+    if (!rescued.lock.held()) continue;  // of a window that lives
+    std::error_code ignored;
+    if (!fs::exists(rescued.file, ignored)) {
+      rescued.lock.removeFile();  // it was ending just now
+      continue;
+    }
+    try {
+      read(rescued);
+    } catch (const Error& error) {
+      rescued.entry.title = rescued.file.filename().string();
+      rescued.entry.problem = error.what();
+    }
+    found.push_back(std::move(rescued));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Rescued& a, const Rescued& b) { return timeOf(a.file) > timeOf(b.file); });
+  return found;
+}
+
+void discard(Rescued& rescued) {
+  std::error_code ignored;
+  fs::remove(rescued.file, ignored);
+  rescued.lock.removeFile();
+}
+
+Autosave::~Autosave() {
+  worker_.reset();                             // waits for what is being written
+  if (std::uncaught_exceptions() > 0) return;  // the program is failing: this is what it is for
+  std::error_code ignored;
+  if (!file_.empty()) fs::remove(file_, ignored);
+  lock_.removeFile();
+}
+
+// A name that no other window has, living or dead.
+void Autosave::takeSlot() {
+  if (lock_.held()) return;
+  std::error_code failure;
+  fs::create_directories(folder_, failure);
+  if (failure) throw Error("cannot make the folder: " + failure.message(), folder_.string());
+  removeLeftTemporaries(folder_);
+  for (int i = 0; i < 100; ++i) {
+    const std::string number = i == 0 ? "" : fmt::format("-{}", i);
+    const fs::path file = folder_ / fmt::format("recovery-{}{}.json", ::getpid(), number);
+    FileLock lock(lockOf(file));
+    if (!lock.held() || fs::exists(file, failure)) continue;
+    lock_ = std::move(lock);
+    file_ = file;
+    return;
+  }
+  throw Error("unsaved changes cannot be kept here", folder_.string());
+}
+
+std::optional<double> Autosave::due() const {
+  if (!seen_ || kept_ == seen_) return std::nullopt;
+  const double often = lastWrite_ + mostSeconds;
+  if (changing_) return std::max(often, lastChange_);
+  return std::min(std::max(lastChange_ + restSeconds, lastWrite_ + leastSeconds),
+                  std::max(often, lastChange_));
+}
+
+std::optional<double> Autosave::secondsUntilDue(double now) const {
+  const auto time = due();
+  if (!time) return std::nullopt;
+  return std::max(0.0, *time - now);
+}
+
+void Autosave::write(const Session& session, bool wait) {
+  if (canBeRead(session.level())) {  // else the last one that can be is worth more
+    takeSlot();
+    onDisk_ = true;
+    const auto job = [file = file_, text = format(session)](const Progress&) { writeFile(file, text); };
+    if (!worker_) worker_ = std::make_unique<Worker>();
+    wait ? job({}) : worker_->request(job);
+  }
+  kept_ = session.level();
+}
+
+void Autosave::writeNow(const Session& session) {
+  worker_.reset();
+  write(session, true);
+}
+
+std::optional<std::string> Autosave::update(const Session& session, double now) {
+  if (!session.modified()) {
+    kept_.reset();
+    if (std::exchange(onDisk_, false)) {
+      if (!worker_) worker_ = std::make_unique<Worker>();
+      worker_->request([file = file_](const Progress&) {
+        std::error_code ignored;
+        fs::remove(file, ignored);
+      });
+    }
+    seen_.reset();
+    return std::nullopt;
+  }
+  const bool first = !seen_;
+  if (first || !(*seen_ == session.level()) || changing_ != session.changing()) lastChange_ = now;
+  if (first && lastWrite_ < 0) lastWrite_ = now - leastSeconds;  // the first one comes soon
+  if (first || !(*seen_ == session.level())) seen_ = session.level();
+  changing_ = session.changing();
+  std::optional<std::string> failure = worker_ ? worker_->takeFailure() : std::nullopt;
+  if (const auto time = due(); time && now >= *time) {
+    lastWrite_ = now;
+    try {
+      write(session, false);
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+  }
+  if (failure) kept_.reset();  // tried again in half a minute
+  return failure;
+}
+
+}  // namespace anamorph

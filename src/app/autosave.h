@@ -1,0 +1,91 @@
+// Unsaved changes are kept in the state folder, so that a crash, an empty battery or a kill costs little.
+// Each window has a file of its own, and a lock that the system takes away when the window dies, however it
+// dies:
+//
+//   a window lives:   recovery-4711.lock held      recovery-4711.json   nobody else's business
+//   it has died:      recovery-4711.lock free      recovery-4711.json   offered by the next one that starts
+//
+// The file is written by a worker, atomically. It goes away when the level is saved, and when the window ends
+// as it should.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/session.h"
+#include "panels/ui_state.h"
+#include "pipeline/worker.h"
+
+namespace anamorph {
+
+/// A lock file that is held. Empty when it could not be had.
+class FileLock {
+ public:
+  FileLock() = default;
+  /// Makes the file where there is none. Not held afterwards when another process holds it.
+  explicit FileLock(const std::filesystem::path& path);
+  ~FileLock();
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+
+  bool held() const { return descriptor_ >= 0; }
+  /// Removes the file and lets go of it.
+  void removeFile();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+};
+
+/// Something that was rescued: `file` in the state folder, and what is in it.
+struct Rescued {
+  std::filesystem::path file;
+  FileLock lock;  ///< nobody else offers it meanwhile
+  std::filesystem::path levelPath;
+  Level level;
+  RecoveryEntry entry;
+};
+
+/// What windows that have died have left, newest first; files that cannot be read are among them and say why.
+std::vector<Rescued> findRescued(const std::filesystem::path& folder);
+
+/// Removes it from the disk.
+void discard(Rescued& rescued);
+
+class Autosave {
+ public:
+  explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Ends as it should: nothing stays. While an exception is on its way, all stays.
+  ~Autosave();
+
+  /// Once a frame; `now` in seconds. Begins to write when it is time: three seconds after a change, at most
+  /// every half a minute, and every two minutes while one goes on. Returns what went wrong with the last one.
+  std::optional<std::string> update(const Session& session, double now);
+  /// Writes at once. Throws Error.
+  void writeNow(const Session& session);
+
+  /// Seconds until update() has something to do though nothing happens; nothing when it has not.
+  std::optional<double> secondsUntilDue(double now) const;
+
+  static constexpr double restSeconds = 3, leastSeconds = 30, mostSeconds = 120;
+
+ private:
+  std::optional<double> due() const;
+  void takeSlot();
+  void write(const Session& session, bool wait);
+
+  std::filesystem::path folder_;
+  std::filesystem::path file_;  // empty: no slot yet
+  FileLock lock_;
+  std::optional<Level> kept_;  // that the file holds, or will
+  std::optional<Level> seen_;  // of the last update, while it is modified
+  bool onDisk_ = false, changing_ = false;
+  double lastChange_ = 0, lastWrite_ = -1e9;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace anamorph

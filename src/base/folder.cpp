@@ -1,0 +1,67 @@
+#include "base/folder.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
+
+// The number that starts at `at`, without leading zeros; `at` moves behind it.
+std::string_view numberAt(const std::string& text, std::size_t& at) {
+  while (at < text.size() && text[at] == '0') ++at;
+  const std::size_t begin = at;
+  while (at < text.size() && isDigit(text[at])) ++at;
+  return std::string_view(text).substr(begin, at - begin);
+}
+
+}  // namespace
+
+bool comesBefore(const std::string& a, const std::string& b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (isDigit(a[i]) && isDigit(b[j])) {
+      const std::string_view m = numberAt(a, i), n = numberAt(b, j);
+      if (m.size() != n.size()) return m.size() < n.size();
+      if (m != n) return m < n;
+    } else {
+      if (lower(a[i]) != lower(b[j])) {
+        return static_cast<unsigned char>(lower(a[i])) < static_cast<unsigned char>(lower(b[j]));
+      }
+      ++i;
+      ++j;
+    }
+  }
+  const std::size_t restOfA = a.size() - i, restOfB = b.size() - j;
+  return restOfA != restOfB ? restOfA < restOfB : a < b;
+}
+
+FolderListing listFolder(const fs::path& folder) {
+  FolderListing listing;
+  std::error_code problem, ignored;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    listing.entries.push_back({entry->path().filename().string(), entry->is_directory(ignored)});
+  }
+  if (problem) listing.problem = problem.message();
+  std::sort(listing.entries.begin(), listing.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    return a.isFolder != b.isFolder ? a.isFolder : comesBefore(a.name, b.name);
+  });
+  return listing;
+}
+
+fs::path homeFolder() {
+  const char* home = std::getenv("HOME");
+  return home && *home ? fs::path(home) : fs::path("/");
+}
+
+}  // namespace anamorph

@@ -1,0 +1,32 @@
+// What is in a folder, as a person wants to see it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace anamorph {
+
+struct FolderEntry {
+  std::string name;
+  bool isFolder = false;
+
+  bool operator==(const FolderEntry&) const = default;
+};
+
+struct FolderListing {
+  std::vector<FolderEntry>
+      entries;          ///< folders first, by name: 2 before 10, capital letters among small ones
+  std::string problem;  ///< why it cannot be listed; empty when all is well
+};
+
+/// Files and folders; of links what they lead to. Never throws.
+FolderListing listFolder(const std::filesystem::path& folder);
+
+/// The order of names in a listing.
+bool comesBefore(const std::string& a, const std::string& b);
+
+/// $HOME, else the root.
+std::filesystem::path homeFolder();
+
+}  // namespace anamorph

@@ -1,0 +1,206 @@
+// anamorph export: everything of a level that can be taken home, as files.
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/input.h"
+#include "cli/report.h"
+#include "cli/usage_error.h"
+#include "exports/export_request.h"
+
+namespace anamorph {
+namespace {
+
+struct ExportOptions {
+  InputOptions input;
+  std::vector<std::string> outputs;
+  bool check = false;
+  double millimetresPerUnit = 10;
+  std::optional<double> basePlate;
+  std::string page = "A4";
+  std::string scale = "fit";
+  std::string rays;  // empty: .obj is the sculpture
+  std::string picture = "reflection";
+  int size = 512;
+};
+
+// A number that is the whole of the text and in the range.
+template <typename Number>
+std::optional<Number> parseNumber(std::string_view text, Number low, Number high) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  const bool whole = result.ec == std::errc() && result.ptr == end;
+  return whole && number >= low && number <= high ? std::optional(number) : std::nullopt;
+}
+
+// "1:2" is 2; "fit" is nothing.
+std::optional<double> parseScale(const std::string& text) {
+  if (text == "fit") return std::nullopt;
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) {
+    const auto paper = parseNumber(std::string_view(text).substr(0, colon), 1e-3, 1e3);
+    const auto life = parseNumber(std::string_view(text).substr(colon + 1), 1e-3, 1e6);
+    if (paper && life) return *life / *paper;
+  }
+  throw UsageError("--scale: expected fit or a ratio as 1:2, got " + text);
+}
+
+// How many vertices; nothing for the pixel grid.
+std::optional<int> parseRays(const std::string& text) {
+  if (text == "pixels") return std::nullopt;
+  if (text == "vertices") return 200;
+  const std::string vertices = "vertices:";
+  if (text.starts_with(vertices)) {
+    if (const auto count = parseNumber(std::string_view(text).substr(vertices.size()), 1, 1'000'000)) {
+      return *count;
+    }
+  }
+  throw UsageError("--rays: expected vertices, vertices:N with N from 1 to 1000000, or pixels, got " + text);
+}
+
+ExportRequest makeRequest(const ExportOptions& options, const std::string& path) {
+  static const std::map<std::string, Paper> papers{
+      {"A4", Paper::a4}, {"A3", Paper::a3}, {"letter", Paper::letter}};
+  static const std::map<std::string, PictureKind> pictures{{"reflection", PictureKind::reflection},
+                                                           {"original", PictureKind::original},
+                                                           {"difference", PictureKind::difference}};
+  ExportRequest request;
+  const auto kind = findExportKind(path);
+  if (!kind) {
+    throw UsageError(
+        path +
+        ": expected an output file that ends in .obj, .stl or .ply (sculpture; with --rays .obj is "
+        "its rays), .pdf or .svg (viewing sheet), .html or .json (match report) or .png (picture)");
+  }
+  request.kind = *kind;
+  request.path = path;
+  request.millimetresPerUnit = options.millimetresPerUnit;
+  if (options.basePlate) request.basePlate = BasePlateSettings{.thickness = *options.basePlate};
+  request.paper = papers.at(options.page);
+  request.sheetScale = parseScale(options.scale);
+  request.picture = pictures.at(options.picture);
+  request.size = options.size;
+  if (!options.rays.empty()) {
+    request.vertexRays = parseRays(options.rays);
+    const std::string ending = request.path.extension().string();
+    if (ending == ".obj" || ending == ".OBJ") request.kind = ExportKind::rays;
+  }
+  return request;
+}
+
+bool hasKind(const std::vector<ExportRequest>& requests, ExportKind kind) {
+  return std::any_of(requests.begin(), requests.end(),
+                     [&](const ExportRequest& request) { return request.kind == kind; });
+}
+
+std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
+  std::vector<ExportRequest> requests;
+  for (const std::string& path : options.outputs) requests.push_back(makeRequest(options, path));
+  if (requests.empty() && !options.check) {
+    throw UsageError("expected -o FILE, or --check to look at the sculpture only");
+  }
+  if (!options.rays.empty() && !hasKind(requests, ExportKind::rays)) {
+    throw UsageError("--rays: expected an output file that ends in .obj");
+  }
+  return requests;
+}
+
+JsonValue textList(const std::vector<std::string>& texts) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const std::string& text : texts) list.items.push_back({JsonValue::Kind::string, text, 0, {}, {}});
+  return list;
+}
+
+// Writes the files; what was written, and what is to be known of it, as JSON.
+JsonValue writeFiles(const FinishedLevel& finished, const std::vector<ExportRequest>& requests,
+                     const CommonOptions& common) {
+  JsonValue files{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const ExportRequest& request : requests) {
+    const ExportSummary summary = [&] {
+      const ProgressBar bar(common, "exporting");
+      return *exportLevel(finished, request, common.threads, bar.progress());
+    }();
+    const std::string path = request.path.string();
+    if (!common.json) sayMessage(common, path + ": " + summary.description);
+    sayWarnings(common, summary.warnings);
+    files.items.push_back(JsonObject()
+                              .add("path", path)
+                              .add("description", summary.description)
+                              .add("warnings", textList(summary.warnings))
+                              .value());
+  }
+  return files;
+}
+
+void printCheck(const PrintCheck& check, std::size_t notMapped) {
+  const std::vector<std::string> problems = findPrintProblems(check, notMapped);
+  fmt::print("{}{:<20}{}\n", formatPrintCheck(check), "printable", problems.empty() ? "yes" : "not as it is");
+  for (const std::string& problem : problems) fmt::print("- {}\n", problem);
+  for (const std::string& hint : findPrintHints(check)) fmt::print("- {}\n", hint);
+}
+
+void exportFiles(const ExportOptions& options, const CommonOptions& common) {
+  const std::vector<ExportRequest> requests = makeRequests(options);
+  for (const ExportRequest& request : requests) checkOutput(request.path.string());
+  const FinishedLevel finished = finishInput(loadInput(options.input, common), common);
+  JsonObject json;
+  json.add("files", writeFiles(finished, requests, common));
+  if (options.check || hasKind(requests, ExportKind::sculpture)) {
+    const PrintCheck check = [&] {
+      const ProgressBar bar(common, "checking");
+      return *checkSculpture(finished, options.millimetresPerUnit, common.threads, bar.progress());
+    }();
+    const std::size_t notMapped = countNotMapped(finished);
+    json.add("printCheck", printCheckJson(check, notMapped));
+    if (!common.json) printCheck(check, notMapped);
+  }
+  if (common.json) printJson(json.value());
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Write what can be taken home: sculpture, viewing sheet, rays, match report, picture");
+  const auto options = std::make_shared<ExportOptions>();
+  addInputOptions(*command, options->input);
+  command
+      ->add_option(
+          "-o,--output", options->outputs,
+          "The file to write, as often as wanted: .obj .stl .ply (sculpture), .pdf .svg (viewing sheet), "
+          ".html .json (match report), .png (picture)")
+      ->allow_extra_args(false);
+  command->add_flag("--check", options->check, "Print whether the sculpture can be printed, also without -o");
+  command
+      ->add_option("--mm-per-unit", options->millimetresPerUnit,
+                   "Millimetres per scene unit of sculpture, sheet and rays (default 10)")
+      ->check(numberFrom(1e-6, 1e6));
+  command
+      ->add_option("--base-plate", options->basePlate,
+                   "Thickness in mm of a plate under the sculpture, on posts")
+      ->check(numberFrom(0.2, 100));
+  command->add_option("--page", options->page, "Paper of the viewing sheet: A4 (default), A3 or letter")
+      ->check(CLI::IsMember({"A4", "A3", "letter"}));
+  command->add_option("--scale", options->scale,
+                      "Scale of the viewing sheet, as 1:2; fit (default): 1:1 or the largest that fits");
+  command->add_option(
+      "--rays", options->rays,
+      "Write rays to the .obj file instead of the sculpture: vertices:N of N vertices, or pixels");
+  command->add_option("--picture", options->picture, "For .png: reflection (default), original or difference")
+      ->check(CLI::IsMember({"reflection", "original", "difference"}));
+  command
+      ->add_option("--size", options->size,
+                   "Longer side of picture and match report's pictures in pixels (default 512)")
+      ->check(numberFrom(16, 8192));
+  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addCommonOptions(*command, common);
+  command->callback([options, &common] { exportFiles(*options, common); });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,44 @@
+#include "edit/edit_job.h"
+
+#include <utility>
+
+namespace anamorph {
+
+void EditJob::start(const Session& session, std::string name, Make make) {
+  started_ = Start{session.level(), session.generation()};
+  name_ = std::move(name);
+  results_ =
+      std::make_shared<Mailbox<EditResult>>();  // one that is cancelled may still deliver, to the old one
+  worker_.request([level = session.level(), make = std::move(make), results = results_](const Progress& p) {
+    EditResult result = make(level, p);
+    if (!p.cancelled()) results->put(std::move(result));
+  });
+}
+
+void EditJob::cancel() {
+  worker_.cancel();
+  started_.reset();
+}
+
+std::optional<std::string> EditJob::update(Session& session) {
+  if (!started_) return std::nullopt;
+  if (session.generation() != started_->generation) {
+    cancel();
+    return std::nullopt;
+  }
+  if (auto failure = worker_.takeFailure()) {
+    started_.reset();
+    return failure;
+  }
+  auto result = results_->take();
+  if (!result) return std::nullopt;
+  const Level before = std::move(started_->level);
+  started_.reset();
+  if (!result->level) return result->message;
+  if (!(session.level() == before))
+    return name_ + ": the level has been changed meanwhile, so nothing was done.";
+  session.edit(std::move(*result->level));
+  return result->message;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,146 @@
+#include "edit/level_helpers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "anamorphosis/map_points.h"
+#include "edit/level_edits.h"
+#include "pipeline/picture.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double margin = 0.98;
+constexpr double highest = 85;          // degrees: straight from above there is no up any more
+constexpr double fineDegrees = 0.1;     // how well the height is found
+constexpr int coarse = 96, fine = 256;  // pixels
+
+// Whether every vertex is mapped when the original is scaled about `centre`.
+class Fits {
+ public:
+  Fits(const Level& level, const PointArray& placed, const Point& centre)
+      : level_(level), placed_(placed), centre_(centre) {}
+
+  bool operator()(double factor) {
+    scaled_ = mapPoints(placed_, [&](const Point& p) { return centre_ + factor * (p - centre_); });
+    mapPointsThrough(level_.optic, level_.camera.eye, scaled_, level_.sculpture.depthScale, mapped_);
+    return std::all_of(mapped_.status.begin(), mapped_.status.end(),
+                       [](PathStatus status) { return status == PathStatus::mapped; });
+  }
+
+ private:
+  const Level& level_;
+  const PointArray& placed_;
+  Point centre_;
+  PointArray scaled_;
+  MappedPoints mapped_;
+};
+
+// Around `pivot`, as high as `degrees` above the horizon; the side stays.
+Point eyeAt(const Point& eye, const Point& pivot, double degrees) {
+  const Vector arm = eye - pivot;
+  const double flat = std::hypot(arm.x, arm.y), angle = radians(degrees);
+  const Vector side = flat > 0 ? Vector(arm.x / flat, arm.y / flat, 0) : Vector(0, -1, 0);
+  return pivot + glm::length(arm) * (std::cos(angle) * side + std::sin(angle) * Vector(0, 0, 1));
+}
+
+double heightOf(const Point& eye, const Point& pivot) {
+  const Vector arm = eye - pivot;
+  return std::atan2(arm.z, std::hypot(arm.x, arm.y)) * 180 / pi;
+}
+
+}  // namespace
+
+std::optional<Level> originalFittedToMirror(const Level& level, const PointArray& placed) {
+  const Box box = boundingBox(placed);
+  if (box.empty() || !(box.diagonal() > 0) || !isFinite(box.centre())) return std::nullopt;
+  if (findShapeProblem(level.optic.shape) || findEyeProblem(level.optic.shape, level.camera.eye))
+    return std::nullopt;
+  const Point centre = box.centre();
+  Fits fits(level, placed, centre);
+  constexpr double step = 1.5, smallest = 1e-4, largest = 1e4;
+  double good = 1, bad = 1;
+  if (fits(1)) {
+    while (fits(bad *= step)) {
+      good = bad;
+      if (good > largest) return std::nullopt;  // a mirror without end
+    }
+  } else {
+    do {
+      good = bad / step;
+      if (good < smallest) return std::nullopt;
+      if (fits(good)) break;
+      bad = good;
+    } while (true);
+  }
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (good + bad);
+    (fits(middle) ? good : bad) = middle;
+  }
+  const double factor = margin * good;
+  if (!fits(factor)) return std::nullopt;
+  return scaled(level, {Part::original}, centre, Vector(factor));
+}
+
+CoarseView coarseView(const Level& level, std::shared_ptr<const Mesh> placed, int size, int threads,
+                      const Progress& progress) {
+  if (findProblem(level, *placed)) return {};
+  Level small = level;
+  small.sculpture.imageSize = size;
+  small.sculpture.maxTriangles = std::min<std::size_t>(small.sculpture.maxTriangles, 100'000);
+  const auto finished = finishLevel(small, std::move(placed), threads, progress);
+  if (!finished || findEmptiness(*finished->sculpture.sculpture)) return {};
+  const Match match = matchLevel(*finished, size, size, threads, progress);
+  if (progress.cancelled()) return {};
+  return {match.report.comparedPixels > 0, match.report.hiddenShare, match.report.missedShare};
+}
+
+std::optional<Level> eyeLifted(const Level& level, std::shared_ptr<const Mesh> placed, int threads,
+                               const Progress& progress) {
+  if (!placed || placed->positions.empty()) return std::nullopt;
+  const Point pivot = boundingBox(placed->positions).centre();
+  const double start = heightOf(level.camera.eye, pivot);
+  const auto lifted = [&](double degrees) {
+    Level result = level;
+    result.camera.eye = clampedPoint(eyeAt(level.camera.eye, pivot, degrees));
+    return result;
+  };
+  double done = 0;
+  const auto seen = [&](const Level& candidate, int size) {
+    const CoarseView view = coarseView(candidate, placed, size, threads, {{}, progress.token});
+    progress.update(done = std::min(0.98, done + 1.0 / 32));
+    return view;
+  };
+  const CoarseView now = seen(level, fine);
+  if (now.sound && now.hiddenShare == 0) return level;
+  const double missed = now.sound ? std::max(now.missedShare, 0.005) : 0.005;
+  const auto clear = [&](double degrees, int size) {
+    const CoarseView view = seen(lifted(degrees), size);
+    return view.sound && view.hiddenShare == 0 && view.missedShare <= missed;
+  };
+  if (start >= highest) return std::nullopt;
+  constexpr int steps = 16;
+  const double step = (highest - start) / steps;
+  double bad = start;
+  // Small images find where to look, a larger one decides; what only that one sees needs a little more.
+  for (int i = 1; i <= steps && !progress.cancelled(); ++i) {
+    double good = start + i * step;
+    if (!clear(good, coarse)) {
+      bad = good;
+      continue;
+    }
+    while (good - bad > fineDegrees && !progress.cancelled()) {
+      const double middle = 0.5 * (good + bad);
+      (clear(middle, coarse) ? good : bad) = middle;
+    }
+    for (double more = 0; more < step && good + more <= highest && !progress.cancelled(); more += 0.5) {
+      if (clear(good + more, fine))
+        return progress.cancelled() ? std::nullopt : std::optional(lifted(good + more));
+    }
+    bad = start + i * step;
+  }
+  return std::nullopt;
+}
+
+}  // namespace anamorph

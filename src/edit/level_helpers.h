@@ -1,0 +1,39 @@
+// What a maker of levels would have to find by trying: how large the original may be, how high the eye has to
+// be. Pure functions from a level to a better one; nothing when there is none.
+//
+//      fit:                                  lift:             e'
+//                  mirror  ...[ s P ]                         /  .  up to 85 degrees, at the same distance,
+//      eye ----------)-----[ P ]                         e ../....P  until nothing stands before the mirror
+//                          ...
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/progress.h"
+#include "geometry/mesh.h"
+#include "level/level.h"
+
+namespace anamorph {
+
+/// The original (`placed`: in scene coordinates) scaled by one factor about the middle of its box, as large
+/// as it may be while the vertex ray of every vertex meets the mirror and goes on, less 2 %. Nothing when no
+/// size will do, because the middle itself is not behind the mirror.
+std::optional<Level> originalFittedToMirror(const Level& level, const PointArray& placed);
+
+/// The eye turned upwards around the middle of the original, at the same distance, to the smallest height
+/// where the sculpture hides nothing of its reflection and the mirror misses no more of it than before; found
+/// by matches of small images. The level itself when nothing is hidden. Nothing when no height will do, or
+/// when cancelled.
+std::optional<Level> eyeLifted(const Level& level, std::shared_ptr<const Mesh> placed, int threads = 1,
+                               const Progress& progress = {});
+
+/// Of a small image, as eyeLifted() has it: whether the level can be computed, and what is hidden and missed.
+struct CoarseView {
+  bool sound = false;
+  double hiddenShare = 0, missedShare = 0;
+};
+CoarseView coarseView(const Level& level, std::shared_ptr<const Mesh> placed, int size, int threads = 1,
+                      const Progress& progress = {});
+
+}  // namespace anamorph

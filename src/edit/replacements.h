@@ -1,0 +1,31 @@
+// Something else in a thing's place: another kind of mirror, another original. Each is about as large as the
+// old one, and where that was.
+#pragma once
+
+#include "geometry/mesh.h"
+#include "level/level.h"
+#include "math/box.h"
+
+namespace anamorph {
+
+/// A mirror of another kind (the index of its alternative in MirrorShape) with the middle of the old one and
+/// within its height and width; the same when it is of that kind already.
+///
+///     plane w x h <--> cylinder, its axis upwards in the plane, radius w/2 <--> sphere, the smaller of both
+///
+/// A plane turns towards the eye, round ones stay half as far from their middle as the eye is. Sound whatever
+/// the old one is.
+MirrorShape mirrorOfKind(std::size_t kind, const MirrorShape& old, const Point& eye);
+
+/// A built-in original by the index of its alternative in OriginalShape, at its usual size.
+OriginalShape builtInShape(std::size_t kind);
+
+/// `shape` for an original: as large as fits `box`, the one of the placed old original, and centred in it,
+/// upright. `mesh` is what the shape is before it is placed. Without a box or points it stands where the old
+/// one stood. A built-in shape gets another size rather than a scale; a box fills the old box.
+Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, const Box& box);
+
+/// The same for a built-in shape, whose mesh can be made at once.
+Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box);
+
+}  // namespace anamorph

@@ -1,0 +1,122 @@
+#include "exports/arrangement.h"
+
+#include <algorithm>
+
+#include "exports/printable.h"
+#include "pipeline/settle.h"
+
+namespace anamorph {
+namespace {
+
+constexpr double levelTolerance = 1e-9;  // of the size: what stands on the ground to the last bits
+
+Point2 flat(const Vector& v) {
+  return {v.x, v.y};
+}
+
+// The direction on the table from the eye to what it looks at.
+Point2 headingOf(const Point& eye, const Point& middle, const Point& target) {
+  const double size = glm::length(middle - eye);
+  for (const Point& aim : {middle, target}) {
+    const Point2 way = flat(aim - eye);
+    if (glm::length(way) > 1e-6 * size && glm::length(way) > 0) return glm::normalize(way);
+  }
+  return {0, 1};
+}
+
+struct ScaleMirror {
+  double factor;
+  MirrorShape operator()(PlaneMirror plane) const {
+    for (Point& corner : plane.corners) corner *= factor;
+    return plane;
+  }
+  MirrorShape operator()(const CylinderMirror& c) const {
+    return CylinderMirror{factor * c.bottom, factor * c.top, factor * c.radius};
+  }
+  MirrorShape operator()(const SphereMirror& s) const {
+    return SphereMirror{factor * s.centre, factor * s.radius};
+  }
+};
+
+}  // namespace
+
+MirrorShape scaleMirror(const MirrorShape& shape, double factor) {
+  return std::visit(ScaleMirror{factor}, shape);
+}
+
+Point2 Arrangement::planOf(const Point& p) const {
+  const Point2 way = flat(p - middle);
+  return {glm::dot(way, right), glm::dot(way, away)};
+}
+
+Point2 Arrangement::sideOf(const Point& p) const {
+  return {planOf(p).y, p.z - table};
+}
+
+Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPerUnit,
+                            const std::optional<BasePlateSettings>& plate) {
+  const Level& level = finished.level;
+  Arrangement arrangement;
+  arrangement.title = level.title;
+  arrangement.millimetresPerUnit = millimetresPerUnit;
+  arrangement.hasMirror = level.optic.kind == OpticKind::mirror;
+  arrangement.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
+  arrangement.mirrorSurface = tessellate(arrangement.mirror);
+  arrangement.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
+  arrangement.eye = millimetresPerUnit * level.camera.eye;
+  arrangement.middle = middleOf(arrangement.mirror);
+  arrangement.away = headingOf(arrangement.eye, arrangement.middle, millimetresPerUnit * level.camera.target);
+  arrangement.right = {arrangement.away.y, -arrangement.away.x};
+  const Box mirrorBox = boundingBox(arrangement.mirrorSurface.positions);
+  const Box sculptureBox = boundingBox(arrangement.sculpture.positions);
+  arrangement.table = millimetresPerUnit * level.ground.height;
+  const double lowest =
+      arrangement.hasMirror ? std::min(mirrorBox.min.z, sculptureBox.min.z) : sculptureBox.min.z;
+  if (lowest < arrangement.table - levelTolerance * (mirrorBox.diagonal() + sculptureBox.diagonal())) {
+    arrangement.table = lowest;
+    arrangement.onGround = false;
+  }
+  if (plate) {
+    const Mesh obstacle = arrangement.hasMirror ? arrangement.mirrorSurface : Mesh();
+    arrangement.plate = makeBasePlate(arrangement.sculpture, obstacle, arrangement.table, *plate);
+  }
+  return arrangement;
+}
+
+std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray) {
+  const Optic& optic = finished.level.optic;
+  const Bvh& sculpture = *finished.sculpture.prepared.bvh;
+  Sight sight{0, ray, 0};
+  if (optic.kind == OpticKind::mirror) {
+    const OpticPath path = followRay(optic, ray);
+    if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) return std::nullopt;
+    sight = {path.travelled, path.exit, 0};
+  }
+  BvhHit hit;
+  if (!sculpture.closestHit(sight.last, hit)) return std::nullopt;
+  sight.t = hit.t;
+  return sight;
+}
+
+double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
+  if (!arrangement.plate) return 0;
+  constexpr int size = 160;  // pixels
+  const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
+  const Bvh plate(mapPoints(arrangement.plate->mesh.positions, toScene), arrangement.plate->mesh.triangles);
+  const Level& level = finished.level;
+  const auto [width, height] = pictureSize(level.camera, size);
+  const Projection projection(level.camera, width, height);
+  std::size_t seen = 0, hidden = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
+      const auto sight = findSight(finished, ray);
+      if (!sight) continue;
+      ++seen;
+      if (plate.anyHit(ray, 0, sight->toMirror) || plate.anyHit(sight->last, 0, sight->t)) ++hidden;
+    }
+  }
+  return seen > 0 ? double(hidden) / double(seen) : 0;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,167 @@
+#include "exports/match_report_files.h"
+
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+constexpr const char* style = R"(
+body { font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 64rem; margin: 2rem auto; padding: 0 1rem;
+       color: #1b1f24; background: #fff; }
+h1 { margin: 0; font-size: 1.7rem; }
+.grade { display: inline-block; margin: .5rem 0 1rem; padding: .15rem .8rem; border-radius: 1rem; color: #fff;
+         background: #0072b2; font-weight: 600; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(16rem, 1fr)); gap: 1rem; }
+figure { margin: 0; }
+img { width: 100%; display: block; border-radius: 4px; }
+figcaption { font-size: .9rem; margin-top: .4rem; }
+table { border-collapse: collapse; margin: 1.5rem 0; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .45rem .8rem .45rem 0; border-top: 1px solid #d5d9de; }
+th { font-weight: 600; white-space: nowrap; }
+td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
+.swatch { display: inline-block; width: .8em; height: .8em; border-radius: 2px; margin: 0 .25em 0 .5em; }
+.small { font-size: .9rem; color: #57606a; }
+)";
+
+// The colours of markDifferences() as displayed.
+constexpr const char* legend =
+    R"(grey: both agree;<span class="swatch" style="background:#0073b4"></span>only the original;)"
+    R"(<span class="swatch" style="background:#d65f00"></span>only the reflection;)"
+    R"(<span class="swatch" style="background:#e6a000"></span>hidden;)"
+    R"(<span class="swatch" style="background:#cc79a7"></span>no mirror)";
+
+std::string escapeHtml(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string figure(const Image& image, const std::string& name, const std::string& caption) {
+  return fmt::format(
+      "<figure><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">"
+      "<figcaption><b>{}</b>: {}</figcaption></figure>\n",
+      name, image.width, image.height, encodeBase64(encodePng(toBitmap(image))), name, caption);
+}
+
+std::string row(const char* name, const std::string& value, const char* good, const char* meaning) {
+  return fmt::format(
+      "<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n", name,
+      value, good, meaning);
+}
+
+std::string figuresTable(const MatchReport& report) {
+  const bool compared = report.comparedPixels > 0;
+  std::string text =
+      "<table>\n<tr><th>figure</th><th>here</th><th>excellent</th><th>what it says</th></tr>\n";
+  text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "&ge; 0.995",
+              "pixels that both pictures show, of those that either shows: 1 when the outlines are the same");
+  text +=
+      row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : "none", "&le; 0.5 px",
+          "how far a reflected point is from where it should be; 99 of 100 points are nearer");
+  text += row("correspondence, mean", compared ? fmt::format("{:.3f} px", report.meanPx) : "none", "",
+              "the same, on average");
+  text += row("correspondence, worst", compared ? fmt::format("{:.3f} px", report.maxPx) : "none", "",
+              "the same, at the worst pixel");
+  text += row("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement), "&ge; 0.995",
+              "share of pixels in which both pictures show the same part of the original, front and back not "
+              "swapped");
+  text += row("hidden share", fmt::format("{:.5f}", report.hiddenShare), "0",
+              "of the original's pixels: the sculpture itself stands between eye and mirror");
+  text += row("missed share", fmt::format("{:.5f}", report.missedShare), "0",
+              "of the original's pixels: there is no mirror");
+  return text + "</table>\n";
+}
+
+std::string levelSentence(const FinishedLevel& finished) {
+  const Level& level = finished.level;
+  const Sculpture& sculpture = *finished.sculpture.sculpture;
+  const Point& eye = level.camera.eye;
+  return fmt::format(
+      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+      "triangles; {}.",
+      shapeName(level.optic.shape), surfaceName(level.optic), eye.x, eye.y, eye.z, level.sculpture.depthScale,
+      sculpture.mesh.triangles.size(), statusSentence(sculpture.originalStatus));
+}
+
+}  // namespace
+
+JsonValue statusJson(const StatusCounts& counts) {
+  JsonObject status;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    status.add(pathStatusName(static_cast<PathStatus>(i)), counts[i]);
+  return status.value();
+}
+
+JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
+  JsonValue correspondence;
+  if (report.comparedPixels > 0) {
+    correspondence =
+        JsonObject().add("mean", report.meanPx).add("p99", report.p99Px).add("max", report.maxPx).value();
+  }
+  return JsonObject()
+      .add("size", static_cast<std::size_t>(report.height))
+      .add("silhouetteIou", report.silhouetteIou)
+      .add("correspondencePx", correspondence)
+      .add("triangleAgreement", report.triangleAgreement)
+      .add("hiddenShare", report.hiddenShare)
+      .add("missedShare", report.missedShare)
+      .add("grade", std::string(matchGradeName(gradeOf(report))))
+      .add("status", statusJson(counts))
+      .value();
+}
+
+std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& report,
+                          const MatchPictures& pictures) {
+  const std::string title = escapeHtml(finished.level.title.empty() ? "Anamorphosis" : finished.level.title);
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<title>{}: match report</title>\n<style>{}</style>\n</head>\n<body>\n",
+      title, style);
+  page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">match: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
+                      title, matchGradeName(gradeOf(report)), levelSentence(finished));
+  page += figure(pictures.reflection, "Reflection",
+                 finished.level.optic.kind == OpticKind::mirror ? "what the eye sees in the mirror"
+                                                                : "what the eye sees of the sculpture");
+  page += figure(pictures.original, "Original", "the original alone, seen directly from the same eye");
+  page += figure(pictures.difference, "Difference", legend);
+  page += "</div>\n" + figuresTable(report);
+  page += fmt::format(
+      "<p class=\"small\">Compared in {} x {} pixels, two rays each: one straight to the original, one "
+      "by way of the mirror to the sculpture. Made by Anamorph.</p>\n</body>\n</html>\n",
+      report.width, report.height);
+  return page;
+}
+
+std::string encodeBase64(std::string_view bytes) {
+  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    // Three bytes are four letters; what is missing at the end is written as '='.
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? letters[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+}  // namespace anamorph

@@ -1,0 +1,192 @@
+#include "exports/print_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+namespace {
+
+constexpr double thinMillimetres = 0.8;  // two lines of the usual 0.4 mm nozzle
+
+Mesh withoutFlatTriangles(Mesh mesh) {
+  const auto isFlat = [&](const Triangle& t) { return areaVector(mesh.positions, t) == Vector(0); };
+  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), isFlat),
+                       mesh.triangles.end());
+  return mesh;
+}
+
+std::string countOf(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string pairsOf(const SelfCrossings& crossings) {
+  return (crossings.more ? "more than " : "") + countOf(crossings.pairs, "pair", "pairs");
+}
+
+std::string placeOf(const Point& p) {
+  return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
+}
+
+std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
+  std::string text = fmt::format(
+      "the surface is open: {} no neighbour, so no slicer can tell inside from "
+      "outside. ",
+      countOf(check.topology.borderEdges, "edge has", "edges have"));
+  if (notMapped > 0) {
+    return text + fmt::format(
+                      "{} of the original did not reach the sculpture: move the original, the eye or "
+                      "the mirror until all are mapped",
+                      countOf(notMapped, "vertex", "vertices"));
+  }
+  return text + "The original itself is open: close its holes in a mesh editor";
+}
+
+}  // namespace
+
+std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads, const Progress& progress,
+                                     const PrintCheckLimits& limits) {
+  PrintCheck check;
+  const Mesh welded = weldPositions(mesh).mesh;
+  check.box = boundingBox(mesh.positions);
+  check.vertices = welded.positions.size();
+  check.triangles = welded.triangles.size();
+  if (!progress.update(0.05)) return std::nullopt;
+  check.topology = measureTopology(welded);
+  check.volume = signedVolume(welded);
+  const Mesh solid = withoutFlatTriangles(welded);
+  check.flatTriangles = mesh.triangles.size() - solid.triangles.size();
+  if (!progress.update(0.15)) return std::nullopt;
+  const Bvh bvh(solid.positions, solid.triangles, threads);
+  const auto crossings =
+      countSelfCrossings(solid, bvh, limits.maxCrossings, threads, partOf(progress, 0.25, 0.8));
+  if (!crossings) return std::nullopt;
+  check.crossings = *crossings;
+  const auto walls = measureWalls(solid, bvh, limits.wallSamples, check.volume < 0 ? -1 : 1, threads,
+                                  partOf(progress, 0.8, 1));
+  if (!walls) return std::nullopt;
+  check.walls = *walls;
+  return check;
+}
+
+std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t notMapped) {
+  const SurfaceTopology& topology = check.topology;
+  std::vector<std::string> problems;
+  if (topology.borderEdges > 0) problems.push_back(openSentence(check, notMapped));
+  if (topology.crowdedEdges > 0) {
+    problems.push_back(
+        fmt::format("{} used by three or more triangles: the surface is doubled or branches "
+                    "there. Remove inner and double faces of the original in a mesh editor",
+                    countOf(topology.crowdedEdges, "edge is", "edges are")));
+  }
+  if (topology.turnedEdges > 0) {
+    problems.push_back(
+        fmt::format("the triangles on both sides of {} face different ways. Let a mesh editor "
+                    "recalculate the original's outside",
+                    countOf(topology.turnedEdges, "edge", "edges")));
+  }
+  if (topology.pinchedCorners > 0) {
+    problems.push_back(
+        fmt::format("parts of the surface hang together in {} only, which breaks off. Move "
+                    "the original's parts apart or into each other",
+                    countOf(topology.pinchedCorners, "point", "points")));
+  }
+  if (topology.inwardShells > 0) {
+    problems.push_back(
+        fmt::format("{} inside out. Let a mesh editor turn the original's faces around, unless "
+                    "a hollow is meant",
+                    countOf(topology.inwardShells, "closed part is", "closed parts are")));
+  }
+  if (check.crossings.pairs > 0) {
+    const bool own = topology.shells > 1;
+    problems.push_back(fmt::format("the surface goes through itself: {} of triangles, the first near {}. {}",
+                                   pairsOf(check.crossings), placeOf(*check.crossings.example),
+                                   own ? "Slicers unite closed parts that overlap; what folds over within "
+                                         "one part may come out wrong"
+                                       : "Slicers may fill or leave out what lies between"));
+  }
+  return problems;
+}
+
+std::vector<std::string> findPrintHints(const PrintCheck& check) {
+  std::vector<std::string> hints;
+  if (check.walls.samples > 0 && check.walls.firstPercentile < thinMillimetres) {
+    hints.push_back(
+        fmt::format("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} "
+                    "mm: most printers need {:g} mm. More millimetres per unit make it thicker",
+                    check.walls.firstPercentile, placeOf(check.walls.leastAt),
+                    std::max(check.walls.least, 0.01), thinMillimetres));
+  }
+  return hints;
+}
+
+std::string formatPrintCheck(const PrintCheck& check) {
+  const SurfaceTopology& topology = check.topology;
+  const Vector size = check.box.empty() ? Vector(0) : check.box.size();
+  std::string text;
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("{:<20}{}\n", name, value);
+  };
+  line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
+  line("triangles", fmt::format("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
+                                check.vertices, countOf(topology.shells, "part", "parts")));
+  line("closed", topology.borderEdges == 0
+                     ? "yes"
+                     : fmt::format("no: {}", countOf(topology.borderEdges, "border edge", "border edges")));
+  const std::size_t faults = topology.crowdedEdges + topology.pinchedCorners;
+  line("manifold", faults == 0
+                       ? "yes"
+                       : fmt::format("no: {}, {}",
+                                     countOf(topology.crowdedEdges, "edge of three or more triangles",
+                                             "edges of three or more triangles"),
+                                     countOf(topology.pinchedCorners, "pinched point", "pinched points")));
+  line("faces outwards",
+       topology.turnedEdges == 0 && topology.inwardShells == 0
+           ? (topology.borderEdges == 0 ? "yes" : "consistently, as far as it goes")
+           : fmt::format("no: {}, {}", countOf(topology.turnedEdges, "turned edge", "turned edges"),
+                         countOf(topology.inwardShells, "part inside out", "parts inside out")));
+  line("self-intersections", check.crossings.pairs == 0 ? "none" : pairsOf(check.crossings));
+  if (check.walls.samples > 0) {
+    line("walls", fmt::format("99 % thicker than {:.2f} mm; thinnest found {:.2f} mm near {}",
+                              check.walls.firstPercentile, check.walls.least, placeOf(check.walls.leastAt)));
+  }
+  if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
+  return text;
+}
+
+JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
+  const SurfaceTopology& topology = check.topology;
+  JsonObject object;
+  object.add("vertices", check.vertices)
+      .add("triangles", check.triangles)
+      .add("flatTriangles", check.flatTriangles)
+      .add("borderEdges", topology.borderEdges)
+      .add("crowdedEdges", topology.crowdedEdges)
+      .add("turnedEdges", topology.turnedEdges)
+      .add("pinchedCorners", topology.pinchedCorners)
+      .add("parts", topology.shells)
+      .add("partsInsideOut", topology.inwardShells)
+      .add("selfIntersections", check.crossings.pairs)
+      .add("moreSelfIntersections", check.crossings.more);
+  JsonValue walls;
+  if (check.walls.samples > 0) {
+    walls = JsonObject()
+                .add("leastMm", check.walls.least)
+                .add("leastAtMm", check.walls.leastAt)
+                .add("firstPercentileMm", check.walls.firstPercentile)
+                .value();
+  }
+  object.add("walls", walls);
+  object.add("boundsMm", JsonObject().add("min", check.box.min).add("max", check.box.max).value());
+  if (topology.isSound()) object.add("volumeMm3", check.volume);
+  const std::vector<std::string> problems = findPrintProblems(check, notMapped);
+  object.add("printable", problems.empty());
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const std::string& problem : problems)
+    list.items.push_back({JsonValue::Kind::string, problem, 0, {}, {}});
+  object.add("problems", list);
+  return object.value();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,50 @@
+// Whether a 3D printer can make a mesh: is it closed, is inside told from outside, does it go through itself,
+// how thin are its walls, how large is it. Equal positions are joined first, as slicers do.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "exports/self_crossings.h"
+#include "exports/surface_topology.h"
+#include "exports/wall_thickness.h"
+#include "level/json_object.h"
+
+namespace anamorph {
+
+/// Lengths in the mesh's unit: millimetres.
+struct PrintCheck {
+  std::size_t vertices = 0;  ///< after equal positions were joined
+  std::size_t triangles = 0;
+  std::size_t flatTriangles = 0;  ///< without an area
+  SurfaceTopology topology;
+  SelfCrossings crossings;
+  WallThickness walls;
+  Box box;
+  double volume = 0;  ///< inside, overlaps counted twice; only meaningful when the topology is sound
+};
+
+struct PrintCheckLimits {
+  std::size_t maxCrossings = 100'000;  ///< counting stops about there
+  int wallSamples = 65536;
+};
+
+/// Nothing when cancelled. The same for every thread count.
+std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads = 1, const Progress& progress = {},
+                                     const PrintCheckLimits& limits = {});
+
+/// What a slicer would stumble over, and what to do about it, in sentences; empty: nothing.
+/// `notMapped` is how many vertices of the original did not come into the sculpture.
+std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t notMapped);
+
+/// Worth knowing though it can be printed: thin walls.
+std::vector<std::string> findPrintHints(const PrintCheck& check);
+
+/// The figures, a line each, for people.
+std::string formatPrintCheck(const PrintCheck& check);
+
+JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped);
+
+}  // namespace anamorph

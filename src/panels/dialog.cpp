@@ -1,0 +1,106 @@
+#include "panels/dialog.h"
+
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "base/language.h"
+#include "panels/actions.h"
+#include "panels/file_browser.h"
+#include "panels/style.h"
+
+namespace anamorph {
+namespace {
+
+float buttonWidth(const char* name) {
+  return std::max(5 * ImGui::GetFontSize(),
+                  ImGui::CalcTextSize(tr(name)).x + 3 * ImGui::GetStyle().FramePadding.x);
+}
+
+}  // namespace
+
+bool isDialogOpen(const UiState& ui) {
+  return ui.notice || ui.browser.open || ui.unsaved || !ui.recoveries.empty();
+}
+
+void drawDialogs(Workspace& work, UiState& ui) {
+  if (ui.notice) {
+    drawNotice(ui);
+  } else if (ui.browser.open) {
+    drawFileBrowser(ui);
+  } else if (ui.unsaved) {
+    drawUnsavedDialog(work, ui);
+  } else if (!ui.recoveries.empty()) {
+    drawRecoveryDialog(ui);
+  }
+  ui.dialogKeys.clear();
+}
+
+bool beginDialog(const UiState& ui, const char* title, float width, float height) {
+  const std::string name = std::string(tr(title)) + "###" + title;
+  if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(width * s, 0.97f * display.x), std::min(height * s, 0.97f * display.y)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * s);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * s, 10 * s});
+  const bool shown = ImGui::BeginPopupModal(name.c_str(), nullptr,
+                                            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar(2);
+  if (shown) {
+    const FontScope strong(ui.fonts.strong);
+    ImGui::TextUnformatted(tr(title));
+  }
+  return shown;
+}
+
+void endDialog() {
+  ImGui::EndPopup();
+}
+
+bool dialogKey(const UiState& ui, int key) {
+  return std::any_of(ui.dialogKeys.begin(), ui.dialogKeys.end(),
+                     [&](const DialogKey& typed) { return typed.key == key; });
+}
+
+float dialogButtonsWidth(std::initializer_list<const char*> names) {
+  float total = -ImGui::GetStyle().ItemSpacing.x;
+  for (const char* name : names) total += buttonWidth(name) + ImGui::GetStyle().ItemSpacing.x;
+  return total;
+}
+
+int dialogButtons(std::initializer_list<const char*> names, std::initializer_list<bool> enabled) {
+  const float total = dialogButtonsWidth(names);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool stacked = total > room;
+  if (!stacked) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - total);
+  int pressed = -1;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0 && !stacked) ImGui::SameLine();
+    const char* name = names.begin()[i];
+    const std::string label = std::string(tr(name)) + "###" + name;
+    if (i == 0) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    ImGui::BeginDisabled(i < enabled.size() && !enabled.begin()[i]);
+    if (ImGui::Button(label.c_str(), {stacked ? room : buttonWidth(name), 0})) pressed = static_cast<int>(i);
+    ImGui::EndDisabled();
+    if (i == 0) ImGui::PopStyleColor();
+  }
+  return pressed;
+}
+
+void drawNotice(UiState& ui) {
+  if (!beginDialog(ui, ui.notice->title.c_str(), 460)) return;
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(ui.notice->text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
+  const bool done = dialogButtons({"OK"}) == 0 || dialogKey(ui, keys::enter) ||
+                    dialogKey(ui, keys::padEnter) || dialogKey(ui, keys::escape);
+  if (done) ImGui::CloseCurrentPopup();
+  endDialog();
+  if (done) ui.notice.reset();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,206 @@
+#include "panels/file_flow.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/error.h"
+#include "base/language.h"
+#include "edit/level_files.h"
+#include "edit/replacements.h"
+#include "geometry/mesh_files.h"
+#include "level/level_json.h"
+#include "panels/browser_places.h"
+#include "panels/view_panel.h"
+#include "panels/widgets.h"
+#include "pipeline/original.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A drag that goes on, or a number that is typed, becomes a step of its own first.
+void finishEdits(Workspace& work, UiState& ui) {
+  endViewDrag(work, ui, true);
+  letGoOfWidgets();
+  work.session.finishChange();
+}
+
+// Where a level of one's own may go: beside the last one, never among the installed ones.
+fs::path proposedFile(const Workspace& work, const UiState& ui) {
+  const fs::path& path = work.session.path();
+  const bool own = !path.empty() && !isInstalledLevel(path);
+  if (own && !work.session.isThesisScene()) return path;
+  const fs::path name = path.empty() ? fs::path("level.json") : fs::path(path.stem().string() + "-copy.json");
+  if (own) return path.parent_path() / name;
+  const fs::path folder = ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
+  return folder / name;
+}
+
+void saveTo(const fs::path& path, Workspace& work, UiState& ui) {
+  try {
+    work.session.saveTo(path);
+    rememberLevel(ui, path);
+    work.message = fmt::format(fmt::runtime(tr("Saved: {}")), path.string());
+  } catch (const Error& error) {
+    ui.unsaved.reset();
+    ui.notice = Notice{"The level could not be saved", error.what()};
+  }
+}
+
+void serveBrowser(Workspace& work, UiState& ui) {
+  if (const auto path = takeChosenFile(ui, FilePurpose::openLevel)) ui.requests.open = *path;
+  if (const auto path = takeChosenFile(ui, FilePurpose::openMesh)) importOriginal(work, *path);
+  if (const auto path = takeChosenFile(ui, FilePurpose::saveLevel)) saveTo(*path, work, ui);
+}
+
+std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
+  using Next = UnsavedQuestion::Next;
+  UnsavedQuestion wish;
+  if (std::exchange(requests.quit, false)) {
+    wish.next = Next::quit;
+  } else if (const auto path = std::exchange(requests.open, std::nullopt)) {
+    wish.path = *path;
+  } else if (std::exchange(requests.startNew, false)) {
+    wish.next = Next::startNew;
+  } else {
+    return std::nullopt;
+  }
+  return wish;
+}
+
+void grant(const UnsavedQuestion& wish, UiRequests& requests) {
+  requests.quit = wish.next == UnsavedQuestion::Next::quit;
+  requests.startNew = wish.next == UnsavedQuestion::Next::startNew;
+  if (wish.next == UnsavedQuestion::Next::open) requests.open = wish.path;
+}
+
+}  // namespace
+
+void chooseLevel(Workspace& work, UiState& ui) {
+  finishEdits(work, ui);
+  const fs::path& path = work.session.path();
+  browseFiles(ui, FilePurpose::openLevel, isInstalledLevel(path) ? fs::path() : path);
+}
+
+void saveCurrent(Workspace& work, UiState& ui) {
+  const fs::path path = work.session.path();
+  if (path.empty() || work.session.isThesisScene() || isInstalledLevel(path)) return saveCurrentAs(work, ui);
+  finishEdits(work, ui);
+  saveTo(path, work, ui);
+}
+
+void saveCurrentAs(Workspace& work, UiState& ui) {
+  finishEdits(work, ui);
+  browseFiles(ui, FilePurpose::saveLevel, proposedFile(work, ui));
+}
+
+void chooseOriginal(Workspace& work, UiState& ui) {
+  finishEdits(work, ui);
+  const Level& level = work.session.level();
+  const auto* file = std::get_if<FileShape>(&level.original.shape);
+  browseFiles(ui, FilePurpose::openMesh, file ? modelPath(*file, work.session.path()) : fs::path());
+}
+
+void importOriginal(Workspace& work, const fs::path& mesh) {
+  work.session.finishChange();
+  const Products& products = work.studio.products();
+  const Box box = products.original.mesh ? boundingBox(products.original.mesh->positions) : Box{};
+  const bool keepSize = work.session.isThesisScene() && !work.session.canUndo();
+  const std::string name = meshNameFor(mesh, work.session.path());
+  const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
+  work.job.start(
+      work.session, reading,
+      [mesh, name, box, keepSize, levelPath = work.session.path()](const Level& level, const Progress&) {
+        const Mesh read = loadMesh(mesh);
+        Box room = box;
+        if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
+          const auto own = loadOriginal(level.original.shape, levelPath);
+          room =
+              boundingBox(placeOriginal(*own, level.original.unitize, level.original.placement)->positions);
+        }
+        Level result = level;
+        if (keepSize) {
+          result.original.shape = FileShape{name};
+          const auto placed = placeOriginal(read, level.original.unitize, level.original.placement);
+          result.camera.target = boundingBox(placed->positions).centre();
+        } else {
+          result = withOriginal(level, FileShape{name}, read, room);
+        }
+        return EditResult{
+            result, fmt::format(fmt::runtime(tr("{}: {} vertices, {} triangles")), mesh.filename().string(),
+                                read.positions.size(), read.triangles.size())};
+      });
+}
+
+void acceptFiles(const std::vector<fs::path>& files, Workspace& work, UiState& ui) {
+  for (const fs::path& file : files) {
+    if (isMeshFile(file)) return importOriginal(work, file);
+    if (file.extension() == ".json" || file.extension() == ".JSON") {
+      ui.requests.open = file;
+      return;
+    }
+  }
+  if (files.empty()) return;
+  ui.notice = Notice{"This cannot be used here",
+                     fmt::format(fmt::runtime(tr("{}: expected a mesh (.obj, .stl, .ply), which takes the "
+                                                 "original's place, or a level (.json), which is opened.")),
+                                 files.front().filename().string())};
+}
+
+void copyLevel(Workspace& work) {
+  if (!ImGui::GetCurrentContext()) return;
+  ImGui::SetClipboardText(levelAsText(work.session.level(), work.session.path()).c_str());
+  work.message = tr("The level is on the clipboard, as text.");
+}
+
+void pasteLevel(Workspace& work, UiState& ui) {
+  if (!ImGui::GetCurrentContext()) return;
+  const char* text = ImGui::GetClipboardText();
+  try {
+    Level level = levelFromText(text ? text : "", work.session.path());
+    finishEdits(work, ui);
+    work.session.edit(std::move(level));
+    work.message = tr("The level has been pasted; Ctrl+Z takes it back.");
+  } catch (const Error& error) {
+    ui.notice = Notice{"There is no level on the clipboard", error.what()};
+  }
+}
+
+void rememberLevel(UiState& ui, const fs::path& path) {
+  constexpr std::size_t most = 10;
+  if (path.empty() || isInstalledLevel(path)) return;
+  std::error_code failure;
+  fs::path whole = fs::absolute(path, failure).lexically_normal();
+  if (failure) return;
+  auto& levels = ui.recentLevels;
+  levels.erase(std::remove(levels.begin(), levels.end(), whole), levels.end());
+  levels.insert(levels.begin(), whole);
+  if (levels.size() > most) levels.resize(most);
+  rememberFolder(ui, whole.parent_path());
+}
+
+void settleRequests(Workspace& work, UiState& ui) {
+  serveBrowser(work, ui);
+  if (auto wish = takeWish(ui.requests)) {
+    endViewDrag(work, ui, false);  // it would go on in the next level
+    work.session.cancelChange();
+    letGoOfWidgets();
+    if (work.session.modified()) {
+      ui.unsaved = std::move(wish);
+    } else {
+      grant(*wish, ui.requests);
+    }
+  }
+  if (!ui.unsaved || ui.unsaved->answer == UnsavedQuestion::Answer::none || ui.browser.open) return;
+  const UnsavedQuestion wish = *std::exchange(ui.unsaved, std::nullopt);
+  const bool drop = wish.answer == UnsavedQuestion::Answer::drop;
+  // Still modified: the browser was closed without a name, and so nothing happens.
+  if (drop || !work.session.modified()) grant(wish, ui.requests);
+}
+
+}  // namespace anamorph

@@ -1,0 +1,92 @@
+#include "panels/help_buttons.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/language.h"
+#include "edit/level_helpers.h"
+#include "edit/level_repairs.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, const Progress& progress) {
+  auto lifted = eyeLifted(level, placed, 1, progress);
+  if (!lifted) {
+    return {std::nullopt,
+            tr("At this distance there is no height from which nothing is hidden. Make the original "
+               "smaller, the mirror larger, or go farther away.")};
+  }
+  if (*lifted == level) return {std::nullopt, tr("Nothing is hidden: the eye is high enough.")};
+  const double higher = lifted->camera.eye.z - level.camera.eye.z;
+  return {lifted,
+          fmt::format(fmt::runtime(tr("The eye is {:.2f} higher now, and nothing is hidden.")), higher)};
+}
+
+}  // namespace
+
+Box originalBox(const Workspace& work) {
+  const auto& mesh = work.studio.products().original.mesh;
+  return mesh ? boundingBox(mesh->positions) : Box{};
+}
+
+void fitButton(Workspace& work, UiState& ui) {
+  const auto& mesh = work.studio.products().original.mesh;
+  if (!wideButton(
+          "Fit to the mirror",
+          "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
+          mesh != nullptr)) {
+    return;
+  }
+  work.session.finishChange();
+  if (auto fitted = originalFittedToMirror(work.session.level(), mesh->positions)) {
+    work.session.edit(std::move(*fitted));
+  } else {
+    ui.notice = Notice{
+        "No size will do",
+        tr("The eye does not see the middle of the original in the mirror. Put the original behind the "
+           "mirror first.")};
+  }
+}
+
+void behindButton(Workspace& work) {
+  if (!wideButton("Put behind the mirror",
+                  "Along the line of sight, until all of it is behind the mirror as the eye sees it.")) {
+    return;
+  }
+  work.session.finishChange();
+  const Level behind = originalMovedBehind(work.session.level(), originalBox(work));
+  if (behind == work.session.level()) work.message = tr("The original is behind the mirror already.");
+  work.session.edit(behind);
+}
+
+void startLift(Workspace& work) {
+  work.session.finishChange();
+  work.job.start(work.session, tr("Lifting the eye"),
+                 [mesh = work.studio.products().original.mesh](const Level& level, const Progress& progress) {
+                   return lift(level, mesh, progress);
+                 });
+}
+
+void liftButton(Workspace& work) {
+  if (work.job.busy()) {
+    const float width = ImGui::CalcTextSize(tr("Cancel")).x + 3 * ImGui::GetStyle().FramePadding.x;
+    ImGui::ProgressBar(static_cast<float>(work.job.share()), {-width - ImGui::GetStyle().ItemSpacing.x, 0},
+                       work.job.name().c_str());
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) work.job.cancel();
+    return;
+  }
+  if (wideButton("Lift until nothing is hidden",
+                 "The sculpture may stand in its own way. The eye goes up around the original, at the same "
+                 "distance, "
+                 "as little as is needed.",
+                 work.studio.products().original.mesh != nullptr)) {
+    startLift(work);
+  }
+}
+
+}  // namespace anamorph

@@ -1,0 +1,24 @@
+// Buttons that find what would be long to find by trying (edit/level_helpers.h, level_repairs.h), for the
+// panels and the box that says what is wrong.
+#pragma once
+
+#include "edit/workspace.h"
+#include "panels/ui_state.h"
+
+namespace anamorph {
+
+/// Of the placed original as it is shown; empty when there is none.
+Box originalBox(const Workspace& work);
+
+/// Makes the original as large as the mirror allows; a notice when no size will do.
+void fitButton(Workspace& work, UiState& ui);
+/// Puts the original behind the mirror.
+void behindButton(Workspace& work);
+/// Begins the search for an eye that nothing stands in the way of, in the background; while it runs, how far
+/// it is and a way to stop it.
+void liftButton(Workspace& work);
+
+/// The same search without a button.
+void startLift(Workspace& work);
+
+}  // namespace anamorph

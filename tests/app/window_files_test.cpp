@@ -1,0 +1,218 @@
+// Files in the real window: opening, saving, being asked, and what is left when the program is killed.
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "level/level_json.h"
+#include "virtual_window.h"
+
+namespace anamorph::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A small level, so that frames are quick.
+Level smallLevel() {
+  Level level = loadLevel(fs::path(ANAMORPH_LEVELS) / "1-plane.json").level;
+  level.title = "Small";
+  std::get<BoxShape>(level.original.shape).segments = 4;
+  return level;
+}
+
+class RealWindowFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* program : {"Xvfb", "xdotool"}) {
+      if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed";
+    }
+    fs::create_directories(home("works"));
+    saveLevel(home("works/mine.json"), smallLevel());
+    Level other = smallLevel();
+    other.title = "Other";
+    saveLevel(home("works/other.json"), other);
+  }
+  void TearDown() override {
+    if (window && HasFailure()) ADD_FAILURE() << "stderr: " << window->errorText();
+  }
+
+  std::string home(const std::string& name) const { return folder / name; }
+
+  void start(const std::string& level, std::vector<std::string> more = {}) {
+    window.reset();
+    more.insert(more.begin(), level);
+    more.insert(more.end(), {"--size", "1000x700", "--ui-scale", "1"});
+    try {
+      window = std::make_unique<VirtualWindow>(more, Environment{{"HOME", home("")},
+                                                                 {"XDG_STATE_HOME", home("state")},
+                                                                 {"XDG_CONFIG_HOME", home("config")}});
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+    ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("complete"); })) << window->errorText();
+    window->move(5, 690);
+  }
+  State state() const { return window->state(); }
+
+  // Drags the eye's x in the properties; `release`: or keeps the button down.
+  void dragEye(bool release = true) {
+    const auto list = state().list("properties");
+    const double x = list.at(0) + 0.46 * list.at(2);
+    const Vector before = state().vector("eye");
+    for (double y = list.at(1) + 90; y < list.at(1) + 140; y += 8) {
+      window->dragTo(x, y, x + 25, y);
+      if (window->waitFor([&](const State& s) { return s.vector("eye") != before; }, 1)) break;
+      window->release();
+    }
+    ASSERT_NE(state().vector("eye"), before);
+    if (!release) return;
+    window->release();
+    ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("changing"); }, 20));
+  }
+  void type(const std::string& text) const { window->xdotool("type --delay 60 " + text); }
+  bool waitForDialog(const std::string& name) {
+    return window->waitFor([&](const State& s) { return s.text("dialog") == name; }, 20);
+  }
+  std::vector<fs::path> recoveries() const {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (fs::directory_iterator entry(home("state/anamorph"), none), end; !none && entry != end;
+         entry.increment(none)) {
+      const std::string name = entry->path().filename().string();
+      if (name.starts_with("recovery-") && entry->path().extension() == ".json")
+        files.push_back(entry->path());
+    }
+    return files;
+  }
+  void kill() {
+    ::kill(window->program().pid(), SIGKILL);
+    ASSERT_TRUE(window->program().waitForEnd(20));
+    EXPECT_EQ(window->program().exitCode(), -SIGKILL);
+  }
+
+  TemporaryFolder folder;
+  std::unique_ptr<VirtualWindow> window;
+};
+
+TEST_F(RealWindowFiles, ALevelIsOpenedChangedSavedAndUndone) {
+  start("1-plane");
+  window->withControl("o");
+  ASSERT_TRUE(waitForDialog("browser"));
+  type("works/mi");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.text("typed") == "mi"; }, 20))
+      << state().text("typed");
+  window->key("Return");
+  ASSERT_TRUE(
+      window->waitFor([](const State& s) { return s.text("title") == "Small (mine.json) - Anamorph"; }, 20));
+  const Vector before = state().vector("eye");
+  dragEye();
+  ASSERT_TRUE(window->waitFor(
+      [](const State& s) { return s.text("title") == "Small (mine.json) * - Anamorph"; }, 20));
+  window->withControl("s");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
+  EXPECT_EQ(loadLevel(home("works/mine.json")).level.camera.eye, state().vector("eye"));
+  window->withControl("z");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("modified"); }, 20))
+      << "undone beyond the saving";
+  EXPECT_EQ(state().vector("eye"), before);
+  EXPECT_THAT(readAll(home("state/anamorph/recent.json")), HasSubstr("mine.json"));
+  window->withControl("y");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
+  window->askToClose();
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  EXPECT_EQ(window->program().exitCode(), 0);
+  EXPECT_TRUE(recoveries().empty());
+}
+
+TEST_F(RealWindowFiles, ClosingWithChangesAsks) {
+  start(home("works/mine.json"));
+  dragEye();
+  window->askToClose();
+  ASSERT_TRUE(waitForDialog("unsaved"));
+  window->key("Escape");
+  ASSERT_TRUE(waitForDialog(""));
+  EXPECT_FALSE(window->program().ended());
+  window->askToClose();
+  ASSERT_TRUE(waitForDialog("unsaved"));
+  window->key("Return");
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  EXPECT_EQ(window->program().exitCode(), 0);
+  EXPECT_NE(loadLevel(home("works/mine.json")).level, smallLevel()) << "saved, then closed";
+}
+
+TEST_F(RealWindowFiles, ClosingWithoutSavingLeavesFileAndNoTraces) {
+  start(home("works/mine.json"));
+  dragEye();
+  window->withControl("q");
+  ASSERT_TRUE(waitForDialog("unsaved"));
+  window->key("d");
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  EXPECT_EQ(loadLevel(home("works/mine.json")).level, smallLevel());
+  EXPECT_TRUE(recoveries().empty());
+}
+
+TEST_F(RealWindowFiles, KilledInADragOffersWhatWasBefore) {
+  start(home("works/mine.json"));
+  dragEye();
+  const Vector kept = state().vector("eye");
+  const double end = secondsOfClock() + 20;
+  while (recoveries().empty() && secondsOfClock() < end) sleepFor(0.05);
+  ASSERT_EQ(recoveries().size(), 1u) << "a few seconds after the drag";
+  dragEye(false);
+  ASSERT_TRUE(state().is("changing"));
+  kill();
+  EXPECT_EQ(loadLevel(home("works/mine.json")).level, smallLevel()) << "the file is as it was saved";
+
+  start("1-plane");
+  ASSERT_TRUE(waitForDialog("recovery"));
+  window->key("Escape");  // decide later
+  ASSERT_TRUE(waitForDialog(""));
+  window->askToClose();
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  ASSERT_EQ(recoveries().size(), 1u);
+
+  start("1-plane");
+  ASSERT_TRUE(waitForDialog("recovery"));
+  window->key("Return");
+  ASSERT_TRUE(window->waitFor(
+      [](const State& s) { return s.text("title") == "Small (mine.json) * - Anamorph"; }, 20));
+  EXPECT_EQ(state().vector("eye"), kept);
+  EXPECT_EQ(recoveries().size(), 1u) << "it is kept anew until it is saved";
+  window->withControl("s");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
+  EXPECT_EQ(loadLevel(home("works/mine.json")).level.camera.eye, kept);
+  window->askToClose();
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  EXPECT_TRUE(recoveries().empty());
+}
+
+TEST_F(RealWindowFiles, ARecoveryThatFailsStaysAndSaysWhy) {
+  fs::create_directories(home("state/anamorph"));
+  writeText(home("state/anamorph/recovery-1.json"), "{\"format\": \"anamorph-recovery\", \"le");
+  start("1-plane");
+  ASSERT_TRUE(waitForDialog("recovery"));
+  window->key("Return");
+  sleepFor(0.5);
+  EXPECT_EQ(state().text("dialog"), "recovery") << "it cannot be restored";
+  window->key("Escape");
+  ASSERT_TRUE(waitForDialog(""));
+  window->askToClose();
+  ASSERT_TRUE(window->program().waitForEnd(20));
+  EXPECT_EQ(recoveries().size(), 1u);
+}
+
+TEST_F(RealWindowFiles, AModelIsNamedOnTheCommandLine) {
+  start(home("works/mine.json"), {std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj"});
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("modified") && s.is("complete"); }, 30));
+  EXPECT_EQ(state().text("problem"), "");
+  window->withControl("z");
+  EXPECT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
+}
+
+}  // namespace
+}  // namespace anamorph::testing

@@ -1,0 +1,26 @@
+// The installed levels, finished once for all tests of a program.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "level/level_json.h"
+#include "pipeline/original.h"
+#include "pipeline/picture.h"
+
+namespace anamorph::testing {
+
+inline FinishedLevel finish(const Level& level) {
+  const auto shape = loadOriginal(level.original.shape, "");
+  return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
+}
+
+inline const FinishedLevel& finishedLevel(const std::string& name) {
+  static std::map<std::string, FinishedLevel> levels;
+  const auto found = levels.find(name);
+  if (found != levels.end()) return found->second;
+  const Level level = loadLevel(std::string(ANAMORPH_LEVELS) + "/" + name + ".json").level;
+  return levels.emplace(name, finish(level)).first->second;
+}
+
+}  // namespace anamorph::testing

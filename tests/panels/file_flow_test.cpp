@@ -1,0 +1,335 @@
+// The File menu, as the desk runs it: wishes, questions, deeds.
+
+#include "panels/file_flow.h"
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "level/level_json.h"
+#include "panels/dialog.h"
+#include "panels_fixture.h"
+
+namespace anamorph::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileFlow : public PanelsTest {
+ protected:
+  FileFlow() {
+    fs::copy_file(fs::path(ANAMORPH_LEVELS) / "1-plane.json", folder_ / "mine.json");
+    fs::copy_file(fs::path(ANAMORPH_LEVELS) / "3-sphere.json", folder_ / "other.json");
+    openLevel(work, folder_ / "mine.json");
+    work.studio.finish(work.session, {});
+    ui.recentFolders = {folder_ / ""};
+  }
+
+  // As Desk::frame.
+  void step(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      frame();
+      settleRequests(work, ui);
+      if (const auto path = std::exchange(ui.requests.open, std::nullopt)) {
+        opened_ = *path;
+        openLevel(work, *path);
+        rememberLevel(ui, *path);
+      }
+      if (std::exchange(ui.requests.startNew, false)) openNewLevel(work);
+    }
+  }
+  void key(int code) {
+    handleKey(code, 0, work, ui);
+    step(2);
+  }
+  void act(Action action) {
+    perform(action, work, ui);
+    step(2);
+  }
+  void modify(double depthScale = 2) {
+    Level level = work.session.level();
+    level.sculpture.depthScale = depthScale;
+    work.session.edit(level);
+    step();
+  }
+  double savedDepth(const std::string& name) const {
+    return loadLevel(folder_ / name).level.sculpture.depthScale;
+  }
+  void type(const std::string& text) {
+    for (const char c : text) {
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
+      step();
+    }
+    step();
+  }
+  void waitForJob() {
+    for (int i = 0; i < 3000 && work.job.busy(); ++i) {
+      step();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    step(2);
+  }
+
+  TemporaryFolder folder_;
+  fs::path opened_;
+};
+
+TEST_F(FileFlow, SavesToTheLevelsOwnFile) {
+  modify();
+  act(Action::save);
+  EXPECT_FALSE(work.session.modified());
+  EXPECT_EQ(savedDepth("mine.json"), 2);
+  EXPECT_FALSE(isDialogOpen(ui));
+  EXPECT_NE(work.message.find("mine.json"), std::string::npos);
+  EXPECT_EQ(ui.recentLevels.front(), folder_ / "mine.json");
+}
+
+TEST_F(FileFlow, AnInstalledLevelIsNeverWritten) {
+  open("2-cylinder");
+  const fs::path file = work.session.path();
+  const std::string before = readAll(file);
+  modify();
+  act(Action::save);
+  EXPECT_TRUE(ui.browser.open);
+  EXPECT_EQ(ui.browser.text, "2-cylinder-copy.json");
+  EXPECT_EQ(ui.browser.folder, fs::path(folder_ / "").parent_path());
+  key(keys::enter);
+  EXPECT_EQ(work.session.path(), folder_ / "2-cylinder-copy.json");
+  EXPECT_FALSE(work.session.modified());
+  EXPECT_EQ(readAll(file), before);
+  modify(3);
+  act(Action::save);
+  EXPECT_FALSE(isDialogOpen(ui)) << "now it has a file of its own";
+  EXPECT_EQ(savedDepth("2-cylinder-copy.json"), 3);
+}
+
+TEST_F(FileFlow, ANewLevelGetsAName) {
+  act(Action::newLevel);
+  EXPECT_TRUE(work.session.path().empty());
+  EXPECT_FALSE(work.session.modified());
+  act(Action::save);
+  EXPECT_TRUE(ui.browser.open);
+  type("fresh");
+  key(keys::enter);
+  EXPECT_EQ(work.session.path(), folder_ / "fresh.json");
+  EXPECT_EQ(loadLevel(folder_ / "fresh.json").level, Level());
+}
+
+TEST_F(FileFlow, WithoutChangesNothingIsAsked) {
+  ui.requests.open = folder_ / "other.json";
+  step();
+  EXPECT_EQ(opened_, folder_ / "other.json");
+  act(Action::reload);
+  EXPECT_FALSE(isDialogOpen(ui));
+  act(Action::quit);
+  EXPECT_TRUE(ui.requests.quit);
+}
+
+TEST_F(FileFlow, EveryWayOutAsks) {
+  modify();
+  const Level level = work.session.level();
+  const std::vector<std::function<void()>> ways{
+      [&] { ui.requests.open = folder_ / "other.json"; }, [&] { perform(Action::newLevel, work, ui); },
+      [&] { perform(Action::reload, work, ui); }, [&] { perform(Action::quit, work, ui); },
+      [&] { acceptFiles({folder_ / "other.json"}, work, ui); }};
+  for (const auto& way : ways) {
+    way();
+    step(2);
+    EXPECT_TRUE(ui.unsaved);
+    EXPECT_EQ(work.session.level(), level);
+    key(keys::escape);
+    EXPECT_FALSE(isDialogOpen(ui));
+    EXPECT_FALSE(ui.requests.quit);
+    EXPECT_EQ(work.session.level(), level) << "nothing has happened";
+    EXPECT_EQ(opened_, "");
+  }
+}
+
+TEST_F(FileFlow, SavingThenGoesOn) {
+  modify();
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  key(keys::enter);
+  EXPECT_EQ(opened_, folder_ / "other.json");
+  EXPECT_EQ(savedDepth("mine.json"), 2);
+}
+
+TEST_F(FileFlow, NotSavingGoesOnWithout) {
+  modify();
+  perform(Action::quit, work, ui);
+  step(2);
+  handleKey('D', 0, work, ui);
+  step();
+  EXPECT_TRUE(ui.requests.quit);
+  EXPECT_EQ(savedDepth("mine.json"), 1);
+  EXPECT_TRUE(work.session.modified()) << "should quitting fail after all, it is still there";
+}
+
+TEST_F(FileFlow, SavingUnderANameThenGoesOn) {
+  open("1-plane");
+  modify();
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  key(keys::enter);
+  ASSERT_TRUE(ui.browser.open);
+  EXPECT_EQ(opened_, "");
+  key(keys::enter);
+  EXPECT_EQ(opened_, folder_ / "other.json");
+  EXPECT_EQ(savedDepth("1-plane-copy.json"), 2);
+}
+
+TEST_F(FileFlow, NoNameIsNoStep) {
+  open("1-plane");
+  modify();
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  key(keys::enter);
+  ASSERT_TRUE(ui.browser.open);
+  key(keys::escape);
+  EXPECT_FALSE(isDialogOpen(ui));
+  EXPECT_EQ(opened_, "");
+  EXPECT_TRUE(work.session.modified());
+}
+
+TEST_F(FileFlow, AFailedSaveSaysWhyAndStays) {
+  modify();
+  fs::remove(folder_ / "mine.json");
+  fs::create_directory(folder_ / "mine.json");
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  key(keys::enter);
+  ASSERT_TRUE(ui.notice);
+  EXPECT_NE(ui.notice->text.find("mine.json"), std::string::npos);
+  key(keys::enter);
+  EXPECT_FALSE(isDialogOpen(ui));
+  EXPECT_EQ(opened_, "") << "it was not left";
+  EXPECT_TRUE(work.session.modified());
+  EXPECT_EQ(work.session.level().sculpture.depthScale, 2);
+}
+
+TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
+  const Box box = boundingBox(work.studio.products().original.mesh->positions);
+  const Level before = work.session.level();
+  fs::copy_file(fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj", folder_ / "cube.obj");
+  acceptFiles({folder_ / "cube.obj"}, work, ui);
+  waitForJob();
+  EXPECT_EQ(std::get<FileShape>(work.session.level().original.shape).path, "cube.obj")
+      << "relative to the level";
+  work.studio.finish(work.session, {});
+  const Box now = boundingBox(work.studio.products().original.mesh->positions);
+  EXPECT_LT(glm::length(now.centre() - box.centre()), 1e-9);
+  EXPECT_NEAR(now.size().z, 2, 1e-9);
+  EXPECT_EQ(work.studio.products().problem, std::nullopt);
+  work.session.undo();
+  EXPECT_EQ(work.session.level(), before) << "one step";
+}
+
+TEST_F(FileFlow, AMeshWithoutUseIsTold) {
+  const Level before = work.session.level();
+  writeText(folder_ / "broken.obj", "f 1 2 3\n");
+  acceptFiles({folder_ / "broken.obj"}, work, ui);
+  waitForJob();
+  EXPECT_NE(work.message.find("broken.obj"), std::string::npos) << work.message;
+  EXPECT_EQ(work.session.level(), before);
+  EXPECT_FALSE(work.session.canUndo());
+}
+
+TEST_F(FileFlow, OtherFilesAreToldWhatIsAccepted) {
+  acceptFiles({folder_ / "picture.jpeg"}, work, ui);
+  ASSERT_TRUE(ui.notice);
+  EXPECT_NE(ui.notice->text.find("picture.jpeg"), std::string::npos);
+  EXPECT_NE(ui.notice->text.find(".stl"), std::string::npos);
+  step(2);
+  key(keys::escape);
+  EXPECT_FALSE(isDialogOpen(ui));
+  acceptFiles({}, work, ui);
+  EXPECT_FALSE(ui.notice);
+  acceptFiles({folder_ / "picture.jpeg", folder_ / "other.json"}, work, ui);
+  step();
+  EXPECT_EQ(opened_, folder_ / "other.json") << "the first that can be used";
+}
+
+TEST_F(FileFlow, ASceneOfTheThesisKeepsTheMeshsSize) {
+  openLevel(work, fs::path(ANAMORPH_TEST_DATA) / "scenes/thesis-sphere.json");
+  work.studio.finish(work.session, {});
+  const Level before = work.session.level();
+  importOriginal(work, fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj");
+  waitForJob();
+  EXPECT_EQ(work.session.level().original.placement, before.original.placement);
+}
+
+TEST_F(FileFlow, LevelsAreCopiedAndPasted) {
+  modify(3);
+  const Level copied = work.session.level();
+  act(Action::copyLevel);
+  work.session.undo();
+  act(Action::pasteLevel);
+  EXPECT_EQ(work.session.level(), copied);
+  work.session.undo();
+  EXPECT_FALSE(work.session.modified()) << "one step";
+}
+
+TEST_F(FileFlow, ATextThatIsNoLevelIsTold) {
+  const Level before = work.session.level();
+  ImGui::SetClipboardText("{\"format\": \"anamorph-level\", \"version\": 1, \"camera\": 3}");
+  act(Action::pasteLevel);
+  ASSERT_TRUE(ui.notice);
+  EXPECT_NE(ui.notice->text.find("clipboard"), std::string::npos);
+  EXPECT_EQ(work.session.level(), before);
+  EXPECT_FALSE(work.session.canUndo());
+}
+
+TEST_F(FileFlow, RecentLevelsAreThoseOfOnesOwnNewestFirst) {
+  for (const char* name : {"mine.json", "other.json", "mine.json"}) {
+    ui.requests.open = folder_ / name;
+    step();
+  }
+  ui.requests.open = fs::path(ANAMORPH_LEVELS) / "2-cylinder.json";
+  step();
+  EXPECT_EQ(ui.recentLevels, (std::vector<fs::path>{folder_ / "mine.json", folder_ / "other.json"}));
+  for (int i = 0; i < 30; ++i) rememberLevel(ui, folder_ / (std::to_string(i) + ".json"));
+  EXPECT_EQ(ui.recentLevels.size(), 10u);
+  EXPECT_EQ(ui.recentFolders.size(), 1u + (ui.recentFolders.back() == folder_ / ""));
+}
+
+TEST_F(FileFlow, DialogsFitEveryWindow) {
+  ui.recoveries = {{folder_ / "mine.json", "The plane mirror", "today, 12:03", ""},
+                   {{}, std::string(200, 'W'), "yesterday", "cannot be read: " + std::string(300, 'x')}};
+  for (const auto& [width, height, scale] :
+       {std::tuple{800.0f, 500.0f, 2.0}, {1280.0f, 800.0f, 1.0}, {320.0f, 200.0f, 3.0}, {1.0f, 1.0f, 1.0}}) {
+    for (const Theme theme : {Theme::dark, Theme::projector}) {
+      ImGui::GetIO().DisplaySize = {width, height};
+      setLook(theme, scale * themeScale(theme));
+      step(2);
+      ui.unsaved = UnsavedQuestion{};
+      step(2);
+      ui.notice = Notice{"The level could not be saved", std::string(500, 'y')};
+      step(2);
+      ui.notice.reset();
+      ui.unsaved.reset();
+    }
+  }
+}
+
+TEST_F(FileFlow, RecoveryIsAnsweredByKeys) {
+  ui.recoveries = {{folder_ / "mine.json", "One", "", ""}, {{}, "Two", "", "broken"}};
+  step(2);
+  key(keys::down);
+  key(keys::enter);
+  EXPECT_FALSE(ui.requests.recovery) << "a broken one cannot be restored";
+  key(keys::up);
+  key(keys::enter);
+  ASSERT_TRUE(ui.requests.recovery);
+  EXPECT_EQ(ui.requests.recovery->kind, RecoveryAnswer::Kind::restore);
+  EXPECT_EQ(ui.requests.recovery->index, 0u);
+  ui.requests.recovery.reset();
+  key(keys::escape);
+  ASSERT_TRUE(ui.requests.recovery);
+  EXPECT_EQ(ui.requests.recovery->kind, RecoveryAnswer::Kind::later);
+}
+
+}  // namespace
+}  // namespace anamorph::testing
