@@ -93,7 +93,9 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
     ui.levels = listLevels(levels);
     for (int i = 0; i < 60; ++i) {
       const auto actions = allActions();
-      perform(actions[static_cast<std::size_t>(random.integer(0, int(actions.size()) - 1))], work, ui);
+      const Action action = actions[static_cast<std::size_t>(random.integer(0, int(actions.size()) - 1))];
+      if (action == Action::showStep) continue;  // the lesson's move does change the level
+      perform(action, work, ui);
       if (i % 3 == 0) advance(work, 0.05);
       EXPECT_TRUE(isFinite(work.pose.eye) && isFinite(work.pose.target) && isFinite(work.pose.up));
       EXPECT_FALSE(work.session.modified());
@@ -106,7 +108,7 @@ TEST(Actions, OnlyTheWindowsOwnAreAskedOfIt) {
                                Action::fullscreen, Action::nextLevel,  Action::newLevel};
   for (const Action action : allActions()) {
     Workspace work({}, 1);
-    openLevel(work, levels / "1-plane.json");
+    openLevel(work, levels / "0-perspective.json");  // the first
     UiState ui;
     ui.levels = listLevels(levels);
     perform(action, work, ui);
@@ -140,7 +142,7 @@ TEST(Actions, NeighboursAreFoundHoweverThePathIsWritten) {
   UiState ui;
   ui.levels = listLevels(levels);
   Workspace work({}, 1);
-  openLevel(work, levels / ".." / "levels" / "1-plane.json");
+  openLevel(work, levels / ".." / "levels" / "0-perspective.json");
   perform(Action::nextLevel, work, ui);
   ASSERT_TRUE(ui.requests.open);
   EXPECT_EQ(*ui.requests.open, ui.levels[1].path);
