@@ -5,7 +5,9 @@
 
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
+#include "edit/replacements.h"
 #include "edit/workspace.h"
+#include "level/level_fields.h"
 
 namespace anamorph {
 namespace {
@@ -19,15 +21,11 @@ OriginalShape shapeNamed(const std::string& name, const OriginalShape& otherwise
   return otherwise;
 }
 
-MirrorShape mirrorNamed(const std::string& name, const MirrorShape& old) {
-  const Point c = middleOf(old);
-  if (name == shapeName(old) || name.empty()) return old;
-  if (name == "plane") {
-    return PlaneMirror{
-        {c + Vector(-5, 0, -4), c + Vector(5, 0, -4), c + Vector(5, 0, 4), c + Vector(-5, 0, 4)}};
-  }
-  if (name == "cylinder") return CylinderMirror{c - Vector(0, 0, 5), c + Vector(0, 0, 5), 3};
-  return SphereMirror{c, 4};
+// As the tab of the mirror does it.
+MirrorShape mirrorNamed(const std::string& name, const MirrorShape& old, const Point& eye) {
+  const auto kind = std::find(mirrorShapes.begin(), mirrorShapes.end(), name);
+  if (kind == mirrorShapes.end()) return old;
+  return mirrorOfKind(static_cast<std::size_t>(kind - mirrorShapes.begin()), old, eye);
 }
 
 void putRight(Mistakes& mistakes, const std::string& which) {
@@ -59,7 +57,7 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
   level.original.shape = shapeNamed(move.shape, level.original.shape);
   if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments)
     box->segments = *move.segments;
-  level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape);
+  level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape, level.camera.eye);
   putRight(level.sculpture.mistakes, move.putRight);
   return level;
 }
