@@ -4,29 +4,17 @@
 
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
+#include "edit/replacements.h"
 #include "edit/workspace.h"
+#include "level/level_fields.h"
 
 namespace anamorph {
 namespace {
 
-OriginalShape shapeNamed(const std::string& name, const OriginalShape& otherwise) {
-  if (name == "box") return BoxShape{};
-  if (name == "sphere") return SphereShape{};
-  if (name == "torusKnot") return TorusKnotShape{};
-  if (name == "letterF") return LetterFShape{};
-  if (name == "pawn") return PawnShape{};
-  return otherwise;
-}
-
-MirrorShape mirrorNamed(const std::string& name, const MirrorShape& old) {
-  const Point c = middleOf(old);
-  if (name == shapeName(old) || name.empty()) return old;
-  if (name == "plane") {
-    return PlaneMirror{
-        {c + Vector(-5, 0, -4), c + Vector(5, 0, -4), c + Vector(5, 0, 4), c + Vector(-5, 0, 4)}};
-  }
-  if (name == "cylinder") return CylinderMirror{c - Vector(0, 0, 5), c + Vector(0, 0, 5), 3};
-  return SphereMirror{c, 4};
+// The number of a name in one of the lists of level_fields.h.
+template <typename Names>
+std::size_t numberOf(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 void putRight(Mistakes& mistakes, const std::string& which) {
@@ -40,7 +28,7 @@ double eased(double t) {
   return t * t * (3 - 2 * t);
 }
 
-// The level so far into the move, 0..1. What cannot be half done is done from the beginning.
+// The level so far into the move, 0..1.
 Level levelAt(const StepMove& move, const Level& from, double share) {
   Level level = from;
   const auto towards = [&](auto& value, const auto& goal) {
@@ -54,9 +42,22 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
     const Vector way = *move.mirror - middleOf(from.optic.shape);
     level = moved(level, {Part::mirror}, (share >= 1 ? 1 : eased(share)) * way);
   }
+  return level;
+}
+
+// What cannot be half done is done at once.
+Level begun(const StepMove& move, const Workspace& work) {
+  Level level = work.session.level();
+  if (!move.shape.empty()) {
+    const auto& original = work.studio.products().original.mesh;
+    const Box box = original ? boundingBox(original->positions) : Box{};
+    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), box);
+  }
+  if (!move.mirrorKind.empty()) {
+    level.optic.shape =
+        mirrorOfKind(numberOf(mirrorShapes, move.mirrorKind), level.optic.shape, level.camera.eye);
+  }
   if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
-  level.original.shape = shapeNamed(move.shape, level.original.shape);
-  level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape);
   putRight(level.sculpture.mistakes, move.putRight);
   return level;
 }
@@ -100,8 +101,8 @@ void playStep(Workspace& work) {
   finishPlay(work);
   work.session.finishChange();
   playView(work, *run.open().show.play);
-  run.play =
-      StepPlay{*run.open().show.play, work.session.level(), work.session.level(), work.display.morph, 0};
+  run.play = StepPlay{*run.open().show.play, begun(*run.open().show.play, work), work.session.level(),
+                      work.display.morph, 0};
 }
 
 bool advancePlay(Workspace& work, double seconds) {
