@@ -41,9 +41,9 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
   for (const std::string& warning : findWarnings(level, sculpture))
     sayMessage(common, "warning: " + path + ": " + warning);
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
-  return fmt::format("level \"{}\", {} mirror, {} of {} vertices mapped, match {}", level.title,
-                     shapeName(level.optic.shape), sculpture.originalStatus[0], original->positions.size(),
-                     matchGradeName(gradeOf(report)));
+  return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.title,
+                     shapeName(level.optic.shape), surfaceName(level.optic), sculpture.originalStatus[0],
+                     original->positions.size(), matchGradeName(gradeOf(report)));
 }
 
 std::string checkFile(const std::string& file, const CommonOptions& common) {

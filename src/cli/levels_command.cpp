@@ -31,7 +31,7 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   const std::filesystem::path base = std::filesystem::path(options.folder) / entry.name;
   savePng(base.string() + ".png", drawInput(finished, PictureKind::reflection, request, nullptr, common));
   saveMesh(base.string() + ".obj", sculpture);
-  fmt::print("{:<12} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
+  fmt::print("{:<14} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
              sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
              report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));
   flushResults();
@@ -41,14 +41,14 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
   const std::vector<LevelEntry> entries = listLevels();
   if (options.folder.empty()) {
     for (const LevelEntry& entry : entries) {
-      fmt::print("{:<12} {}\n", entry.name, entry.problem.empty() ? entry.title : entry.problem);
+      fmt::print("{:<14} {}\n", entry.name, entry.problem.empty() ? entry.title : entry.problem);
     }
     return;
   }
   std::error_code failure;
   std::filesystem::create_directories(options.folder, failure);
   if (failure) throw Error("cannot make the folder: " + failure.message(), options.folder);
-  fmt::print("{:<12} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
+  fmt::print("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
              "agreement", "hidden", "missed", "match");
   std::size_t bad = 0;
   for (const LevelEntry& entry : entries) {

@@ -1,6 +1,7 @@
 // "Show me": the move of a step, made before the student's eyes.
 
 #include <algorithm>
+#include <variant>
 
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
@@ -58,6 +59,9 @@ Level begun(const StepMove& move, const Workspace& work) {
         mirrorOfKind(numberOf(mirrorShapes, move.mirrorKind), level.optic.shape, level.camera.eye);
   }
   if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
+  if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments) {
+    box->segments = *move.segments;
+  }
   putRight(level.sculpture.mistakes, move.putRight);
   return level;
 }

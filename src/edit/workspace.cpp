@@ -78,6 +78,7 @@ void lookAfresh(Workspace& work) {
   work.selection = {};
   work.point.reset();
   work.cell.reset();
+  work.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
   work.display.morph = 1;
   work.animationSeconds = 0;
 }

@@ -107,6 +107,7 @@ static void fields(FieldReader& at, StepMove& move) {
   name(at, "rays", move.rays, raySources);
   name(at, "putRight", move.putRight, mistakeNames);
   name(at, "shape", move.shape, {"box", "sphere", "torusKnot", "letterF", "pawn"});
+  optional(at, "segments", move.segments, Range{1, 512});
   name(at, "mirrorKind", move.mirrorKind, namesOf(mirrorShapes));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);

@@ -80,6 +80,7 @@ struct StepMove {
   std::string rays;                          ///< as for `raysOf`
   std::string putRight;                      ///< as for the event
   std::string shape;                         ///< of the original: "box", "sphere", "torusKnot", ...
+  std::optional<int> segments;               ///< of the original along every edge, where it is a box
   std::string mirrorKind;                    ///< as for `changedMirror`
   bool lookThrough = false;
   bool animate = false;  ///< the rays

@@ -1,6 +1,7 @@
 #include "app/languages.h"
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,9 @@
 #include "base/file.h"
 #include "cli/program.h"
 #include "error_text.h"
+#include "level/lesson.h"
+#include "level/level_json.h"
+#include "level/level_library.h"
 
 namespace anamorph {
 namespace {
@@ -62,6 +66,24 @@ TEST_F(LanguageChoiceTest, DutchIsInstalledAndChangesTextsAtOnce) {
   EXPECT_STREQ(tr("a text that no table has"), "a text that no table has");
   chooseLanguage("en");
   EXPECT_EQ(tr("File"), english);
+}
+
+// Every text of the installed levels, with what is needed to find it.
+TEST(Dutch, HasEveryTextOfTheLevels) {
+  const TextTable texts = loadTexts(ANAMORPH_SOURCE_DIR "/assets/languages/nl.json");
+  for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
+    const Level level = loadLevel(entry.path).level;
+    const Lesson lesson = parseLesson(level.lesson, entry.name);
+    std::vector<std::string> shown{level.title, level.description, lesson.badge.title, lesson.badge.text};
+    for (const LessonStep& step : lesson.steps) {
+      shown.insert(shown.end(), {step.title, step.why, step.task, step.notice});
+      // A step names its control, so that has a Dutch name too.
+      if (!step.show.widget.empty()) shown.push_back(step.show.widget);
+    }
+    for (const std::string& text : shown) {
+      EXPECT_EQ(texts.count(text), 1u) << entry.name << ": " << text;
+    }
+  }
 }
 
 TEST_F(LanguageChoiceTest, AnUnknownOneIsAnErrorAndChangesNothing) {

@@ -65,7 +65,7 @@ class Monkey : public DeskTest {
     ui().recentFolders = {ui().browser.root};
     writeSmallLevels(folder_ / "");
     ui().levels = listLevels(folder_ / "");
-    ASSERT_EQ(ui().levels.size(), 3u);
+    ASSERT_GE(ui().levels.size(), 3u);
     desk().open(ui().levels.front().path);
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();

@@ -100,7 +100,8 @@ TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
   }
   const Result nothing = run("open nothing");
   EXPECT_EQ(nothing.exitCode, 1);
-  EXPECT_THAT(nothing.err, HasSubstr("expected a file or one of the levels 1-plane, 2-cylinder, 3-sphere"));
+  EXPECT_THAT(nothing.err,
+              HasSubstr("expected a file or one of the levels 0-perspective, 1-plane, 2-cylinder"));
 }
 #else
 TEST(Program, WithoutAWindowACommandIsNeeded) {
@@ -283,7 +284,9 @@ TEST(Check, NamesWhatIsFineAndWhatIsNot) {
 TEST(Levels, ListsWhatIsInstalled) {
   const Result list = run("levels");
   EXPECT_EQ(list.exitCode, 0);
-  for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) EXPECT_THAT(list.out, HasSubstr(name));
+  for (const char* name : {"0-perspective", "1-plane", "2-cylinder", "3-sphere", "4-mistakes", "5-sandbox"}) {
+    EXPECT_THAT(list.out, HasSubstr(name));
+  }
   const TemporaryFolder folder;
   const Result table = run("levels --size 64 -o " + (folder / "out"));
   EXPECT_EQ(table.exitCode, 0) << table.err;

@@ -173,6 +173,22 @@ TEST_F(LessonRunTest, AHandOnTheLevelEndsTheShow) {
   EXPECT_EQ(work.session.level().camera.eye, Point(-3, -9, 4));
 }
 
+TEST_F(LessonRunTest, AMoveMakesABoxCoarserAndNothingElse) {
+  open(step("eight", R"([{"when": "changedOriginal"}])", R"({"segments": 1})") + "," +
+       step("pawn", "[]", R"({"shape": "pawn", "segments": 1})"));
+  const BoxShape before = std::get<BoxShape>(work.session.level().original.shape);
+  playStep(work);
+  settle(work);
+  const BoxShape after = std::get<BoxShape>(work.session.level().original.shape);
+  EXPECT_EQ(after.segments, 1);
+  EXPECT_EQ(after.size, before.size);
+  EXPECT_TRUE(work.lesson.done);
+  nextStep(work);
+  playStep(work);
+  settle(work);
+  EXPECT_EQ(std::get<PawnShape>(work.session.level().original.shape), PawnShape{});
+}
+
 TEST_F(LessonRunTest, EveryPartOfAMove) {
   open(step("all", "[]",
             R"({"original": [1, 4, 1], "mirror": [0, 0.5, 4], "fovDegrees": 30, "tolerance": "off",

@@ -1,5 +1,6 @@
 // What the installed levels promise: the reflection is the original, exactly, with nothing hidden and nothing
-// missed, and mirror image and sculpture are in one view.
+// missed, and mirror image and sculpture are in one view. One of them begins with mistakes: it promises so
+// when they are put right.
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,11 @@ FinishedLevel finish(const Level& level, const std::string& path) {
   return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
 }
 
+Level putRight(Level level) {
+  level.sculpture.mistakes = {};
+  return level;
+}
+
 MatchReport matchOf(const FinishedLevel& finished, int size = 512) {
   return computeMatch(makeMatchInput(finished.level, finished.original, finished.sculpture, size, size), 0)
       .report;
@@ -27,7 +33,7 @@ TEST(Levels, ReflectionIsTheOriginal) {
   for (const LevelEntry& entry : entries) {
     SCOPED_TRACE(entry.name);
     ASSERT_EQ(entry.problem, "");
-    const Level level = loadLevel(entry.path).level;
+    const Level level = putRight(loadLevel(entry.path).level);
     const FinishedLevel finished = finish(level, entry.path);
     const MatchReport report = matchOf(finished);
     EXPECT_GE(report.silhouetteIou, 0.999);
@@ -44,7 +50,7 @@ TEST(Levels, ReflectionIsTheOriginal) {
 TEST(Levels, SculptureIsInViewOfTheRtCamera) {
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
     SCOPED_TRACE(entry.name);
-    const Level level = loadLevel(entry.path).level;
+    const Level level = putRight(loadLevel(entry.path).level);
     const FinishedLevel finished = finish(level, entry.path);
     const Projection projection(level.camera, 512, 512);
     const PointArray& points = finished.sculpture.sculpture->mesh.positions;
@@ -55,6 +61,28 @@ TEST(Levels, SculptureIsInViewOfTheRtCamera) {
           << pixel->x << ", " << pixel->y;
     }
   }
+}
+
+// The order of the lesson: what each step does to the score, and that the last one does nothing to it.
+TEST(MistakesLevel, TheScoreFindsTwoMistakesAndIsBlindForTheThird) {
+  const std::string path = ANAMORPH_LEVELS "/4-mistakes.json";
+  Level level = loadLevel(path).level;
+  Mistakes& mistakes = level.sculpture.mistakes;
+  EXPECT_EQ(mistakes, (Mistakes{true, true, true}));
+  EXPECT_EQ(matchOf(finish(level, path)).silhouetteIou, 0) << "the sculpture is inside the column";
+  mistakes.direction = false;
+  const double half = matchOf(finish(level, path)).silhouetteIou;
+  EXPECT_TRUE(half > 0.25 && half < 0.4) << half;
+  mistakes.normal = false;
+  const FinishedLevel large = finish(level, path);
+  EXPECT_GE(matchOf(large).silhouetteIou, 0.999);
+  EXPECT_GE(matchOf(large).triangleAgreement, 0.999);
+  mistakes.distance = false;
+  const FinishedLevel right = finish(level, path);
+  EXPECT_GE(matchOf(right).silhouetteIou, 0.999);
+  const double ratio = boundingBox(large.sculpture.sculpture->mesh.positions).size().x /
+                       boundingBox(right.sculpture.sculpture->mesh.positions).size().x;
+  EXPECT_NEAR(ratio, 1.93, 0.05);
 }
 
 TEST(ThesisScenes, EightVertexCubeNeedsRefinement) {

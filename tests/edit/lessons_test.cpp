@@ -1,0 +1,212 @@
+// The lessons of the installed levels, worked through as a student would who asks to be shown every move:
+// nothing is done by itself, everything is done by its move, and the texts are there in full.
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "edit/lesson_run.h"
+#include "edit/workspace.h"
+#include "level/level_json.h"
+#include "level/level_library.h"
+
+namespace anamorph {
+namespace {
+
+struct InstalledLesson {
+  std::string name;
+  std::filesystem::path path;
+  Lesson lesson;
+};
+
+// For messages of tests.
+void PrintTo(const InstalledLesson& lesson, std::ostream* out) {
+  *out << lesson.name;
+}
+
+std::vector<InstalledLesson> installedLessons() {
+  std::vector<InstalledLesson> lessons;
+  for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
+    const Level level = loadLevel(entry.path).level;
+    lessons.push_back({entry.name, entry.path, parseLesson(level.lesson, entry.name)});
+  }
+  return lessons;
+}
+
+std::string alphanumeric(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isalnum(c) == 0; });
+  return text;
+}
+
+// Whether a step waits for something that is only known when everything has been computed.
+bool needsMatch(const LessonStep& step) {
+  return std::any_of(step.done.begin(), step.done.end(), [](const StepCondition& condition) {
+    return condition.when == StepEvent::matchAbove || condition.when == StepEvent::matchBelow ||
+           condition.when == StepEvent::hiddenShareAbove || condition.when == StepEvent::hiddenShareBelow;
+  });
+}
+
+// Frames until nothing moves, and until all is computed if the step waits for that.
+void rest(Workspace& work, const LessonStep& step) {
+  do {
+    advance(work, 0.05);
+  } while (work.flight || work.lesson.play);
+  if (needsMatch(step)) work.studio.finish(work.session, {work.preview.size, false});
+  advance(work, 0.01);
+}
+
+// The move of the open step; what a move cannot do is done here.
+void makeMove(Workspace& work) {
+  const LessonStep step = work.lesson.open();
+  playStep(work);
+  for (const StepCondition& condition : step.done) {
+    if (condition.when == StepEvent::exported) ++work.exported;  // tests/panels export real files
+  }
+  rest(work, step);
+}
+
+void open(Workspace& work, const InstalledLesson& lesson) {
+  openLevel(work, lesson.path);
+  work.preview.size = 16;
+  work.studio.finish(work.session, {work.preview.size, false});
+  rest(work, {});
+}
+
+// One step; the names are those of the tests.
+struct Case {
+  InstalledLesson lesson;
+  std::size_t step = 0;
+};
+
+void PrintTo(const Case& step, std::ostream* out) {
+  *out << step.lesson.name << ", step " << step.step;
+}
+
+std::vector<Case> allSteps() {
+  std::vector<Case> cases;
+  for (const InstalledLesson& lesson : installedLessons()) {
+    for (std::size_t i = 0; i < lesson.lesson.steps.size(); ++i) cases.push_back({lesson, i});
+  }
+  return cases;
+}
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+  const auto& [lesson, step] = info.param;
+  return alphanumeric(lesson.name) + "_" + alphanumeric(lesson.lesson.steps[step].id);
+}
+
+class StepTest : public testing::TestWithParam<Case> {
+ protected:
+  Workspace work{{}, 2};
+};
+
+// Opened directly after the moves of the steps before it.
+TEST_P(StepTest, IsDoneByItsMoveAndNotBefore) {
+  const auto& [lesson, index] = GetParam();
+  open(work, lesson);
+  for (std::size_t i = 0; i < index; ++i) {
+    openStep(work, i);
+    makeMove(work);
+  }
+  openStep(work, index);
+  const LessonStep& step = work.lesson.open();
+  rest(work, step);
+  work.progress.clear();
+  ASSERT_FALSE(work.lesson.done) << "before anything is done";
+  if (step.done.empty()) {
+    nextStep(work);
+  } else {
+    makeMove(work);
+    EXPECT_TRUE(work.lesson.done);
+  }
+  EXPECT_TRUE(isDone(work.lesson.lesson, step, work.progress));
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, StepTest, testing::ValuesIn(allSteps()), nameOf);
+
+class LessonTest : public testing::TestWithParam<InstalledLesson> {
+ protected:
+  const Lesson& lesson() const { return GetParam().lesson; }
+};
+
+TEST_P(LessonTest, IsWorkedThroughFromBeginningToEnd) {
+  Workspace work({}, 2);
+  open(work, GetParam());
+  ASSERT_FALSE(work.lesson.empty());
+  for (std::size_t i = 0; i < lesson().steps.size(); ++i) {
+    const LessonStep step = work.lesson.open();
+    SCOPED_TRACE(step.id);
+    ASSERT_EQ(work.lesson.step, i);
+    rest(work, step);
+    ASSERT_FALSE(work.lesson.done);
+    EXPECT_FALSE(scoreOf(lesson(), work.progress).badge && !step.optional);
+    if (!step.done.empty()) makeMove(work);
+    ASSERT_TRUE(work.lesson.done || step.done.empty());
+    nextStep(work);
+  }
+  const LessonScore score = scoreOf(lesson(), work.progress);
+  EXPECT_EQ(score.points, score.of);
+  EXPECT_TRUE(score.badge);
+}
+
+TEST_P(LessonTest, CanBeShown) {
+  for (const LessonStep& step : lesson().steps) {
+    SCOPED_TRACE(step.id);
+    const bool exports = std::any_of(step.done.begin(), step.done.end(),
+                                     [](const StepCondition& c) { return c.when == StepEvent::exported; });
+    EXPECT_TRUE(step.show.play || step.done.empty() || exports);
+    if (!step.show.play) continue;
+    const StepMove& move = *step.show.play;
+    const bool changesLevel = move.eye || move.original || move.mirror || move.depthScale ||
+                              move.tolerancePixels || move.fovDegrees || move.segments ||
+                              !move.putRight.empty() || !move.shape.empty() || !move.mirrorKind.empty();
+    EXPECT_TRUE(!changesLevel || (!step.show.tab.empty() && !step.show.widget.empty()))
+        << "a number that is changed has a control";
+  }
+}
+
+TEST_P(LessonTest, IsShortAndComplete) {
+  EXPECT_FALSE(lesson().badge.title.empty());
+  EXPECT_FALSE(lesson().badge.text.empty());
+  EXPECT_GE(lesson().steps.size(), 4u);
+  EXPECT_LE(lesson().steps.size(), 8u);
+  for (const LessonStep& step : lesson().steps) {
+    SCOPED_TRACE(step.id);
+    for (const std::string& text : {step.title, step.why, step.task, step.notice}) {
+      EXPECT_FALSE(text.empty());
+      EXPECT_EQ(text.find('!'), std::string::npos) << text;
+      EXPECT_EQ(text.find("  "), std::string::npos) << text;
+    }
+    for (const std::string& text : {step.why, step.task, step.notice}) {
+      EXPECT_TRUE(text.ends_with('.') || text.ends_with('?')) << text;
+    }
+    std::istringstream words(step.why + " " + step.task + " " + step.notice);
+    EXPECT_LE(std::distance(std::istream_iterator<std::string>(words), {}), 95);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, LessonTest, testing::ValuesIn(installedLessons()),
+                         [](const auto& lesson) { return alphanumeric(lesson.param.name); });
+
+TEST(Lessons, HaveIdsAndBadgesOfTheirOwn) {
+  std::set<std::string> ids, badges;
+  const std::vector<InstalledLesson> lessons = installedLessons();
+  for (const InstalledLesson& lesson : lessons) {
+    ids.insert(lesson.lesson.id);
+    badges.insert(lesson.lesson.badge.title);
+  }
+  EXPECT_EQ(ids.size(), lessons.size());
+  EXPECT_EQ(badges.size(), lessons.size());
+  EXPECT_EQ(ids,
+            (std::set<std::string>{"perspective", "plane", "cylinder", "sphere", "mistakes", "sandbox"}));
+}
+
+}  // namespace
+}  // namespace anamorph
