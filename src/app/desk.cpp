@@ -220,7 +220,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
 
 bool Desk::unfinished() const {
   return isMoving(*work_) || !viewComplete() || work_->studio.busy() || work_->job.busy() ||
-         ui_.render.running;
+         ui_.render.running || ui_.exporting.running;
 }
 
 void Desk::key(int key, int modifiers, bool repeated) {

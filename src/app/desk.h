@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/export_job.h"
 #include "app/image_texture.h"
 #include "app/quality.h"
 #include "app/render_job.h"
@@ -61,6 +62,8 @@ class Desk {
   const FrameTimes& times() const { return times_; }
   /// Whether the 3D view is as fine as it gets.
   bool viewComplete() const { return fine_ && viewport_->complete(); }
+  /// For pictures of the window: everything is so many times as large.
+  void setShotFactor(double factor) { shotFactor_ = factor; }
   void setTransparent(bool transparent) { transparent_ = transparent; }
   /// UI scale when the preferences leave it to the screen.
   void setScreenScale(double scale) { screenScale_ = scale; }
@@ -78,12 +81,13 @@ class Desk {
   std::unique_ptr<Workspace> work_;
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<RenderJob> renderJob_;
+  std::unique_ptr<ExportJob> exportJob_;
   ViewInputMaker inputMaker_;
   ViewportInput lastInput_;
   ImageTexture reflection_, original_, difference_, render_;
   std::map<std::string, ImageTexture> thumbnails_;
 
-  double screenScale_ = 1;
+  double screenScale_ = 1, shotFactor_ = 1;
   double styleScale_ = 0;
   Theme styleTheme_ = Theme::dark;
   std::optional<std::string> language_;  // that is in force

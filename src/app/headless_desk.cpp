@@ -12,6 +12,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "app/shot.h"
 #include "base/error.h"
 #include "gl/offscreen_context.h"
 #include "panels/actions.h"
@@ -105,15 +106,7 @@ void HeadlessDesk::holdModifiers(int modifiers) {
 }
 
 Bitmap HeadlessDesk::readBack() const {
-  const int w = framebuffer_.width(), h = framebuffer_.height();
-  Bitmap bitmap{w, h, 4, std::vector<std::uint8_t>(std::size_t{4} * w * h)};
-  framebuffer_.bind();
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  const std::size_t stride = std::size_t{4} * w;
-  for (int y = 0; y < h; ++y) {
-    glReadPixels(0, h - 1 - y, w, 1, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data() + y * stride);
-  }
-  return bitmap;
+  return anamorph::readBack(framebuffer_);
 }
 
 }  // namespace anamorph

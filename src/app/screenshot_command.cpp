@@ -12,6 +12,7 @@
 #include "app/headless_desk.h"
 #include "app/languages.h"
 #include "app/preferences.h"
+#include "app/shot.h"
 #include "base/error.h"
 #include "cli/input.h"
 #include "cli/usage_error.h"
@@ -79,26 +80,6 @@ void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
   if (options.help) perform(Action::help, work, ui);
   if (options.progress) perform(Action::progress, work, ui);
   if (options.tour > 0) ui.tourCard = options.tour - 1;
-}
-
-// The picture was drawn over nothing: colours have been multiplied by alpha.
-void divideByAlpha(Bitmap& bitmap) {
-  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
-    const int alpha = bitmap.bytes[i + 3];
-    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
-      bitmap.bytes[i + c] =
-          static_cast<std::uint8_t>(std::min(255, (bitmap.bytes[i + c] * 255 + alpha / 2) / alpha));
-    }
-  }
-}
-
-Bitmap withoutAlpha(const Bitmap& bitmap) {
-  Bitmap opaque{bitmap.width, bitmap.height, 3, {}};
-  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
-    opaque.bytes.insert(opaque.bytes.end(), bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i),
-                        bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i + 3));
-  }
-  return opaque;
 }
 
 void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {

@@ -18,10 +18,12 @@
 #include "app/desk.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
+#include "app/shot.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
 #include "app/window_files.h"
 #include "base/error.h"
+#include "base/language.h"
 #include "edit/level_files.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
@@ -205,7 +207,7 @@ class MainWindow {
     UiRequests& requests = desk_->ui().requests;
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
-    if (std::exchange(requests.screenshot, false)) takeScreenshot();
+    if (const auto shot = std::exchange(requests.shot, std::nullopt)) takePicture(*shot);
     keepProgress();
     if (!(desk_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
   }
@@ -240,25 +242,15 @@ class MainWindow {
     }
   }
 
-  void takeScreenshot() {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(handle_.get(), &width, &height);
-    Bitmap bitmap{width, height, 3, std::vector<std::uint8_t>(std::size_t{3} * width * height)};
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadBuffer(GL_FRONT);
-    std::vector<std::uint8_t> rows(bitmap.bytes.size());
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
-    const std::size_t stride = std::size_t{3} * width;
-    for (int y = 0; y < height; ++y) {
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y * stride), stride,
-                  bitmap.bytes.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * stride));
-    }
+  void takePicture(const ShotRequest& request) {
+    std::string& said = desk_->ui().exporting.open ? desk_->ui().exporting.message : desk_->work().message;
     try {
-      const std::filesystem::path path = freshScreenshotPath();
-      savePng(path, bitmap);
-      desk_->work().message = "Screenshot saved: " + path.string();
+      const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
+      savePng(path, takeShot(*desk_, request));
+      said = fmt::format(fmt::runtime(tr("Written: {}")), path.string());
+      if (!request.path.empty()) ++desk_->work().exported;
     } catch (const Error& error) {
-      desk_->work().message = error.what();
+      said = error.what();
     }
     wakeUp();
   }

@@ -12,20 +12,10 @@
 namespace anamorph {
 namespace {
 
-OriginalShape shapeNamed(const std::string& name, const OriginalShape& otherwise) {
-  if (name == "box") return BoxShape{};
-  if (name == "sphere") return SphereShape{};
-  if (name == "torusKnot") return TorusKnotShape{};
-  if (name == "letterF") return LetterFShape{};
-  if (name == "pawn") return PawnShape{};
-  return otherwise;
-}
-
-// As the tab of the mirror does it.
-MirrorShape mirrorNamed(const std::string& name, const MirrorShape& old, const Point& eye) {
-  const auto kind = std::find(mirrorShapes.begin(), mirrorShapes.end(), name);
-  if (kind == mirrorShapes.end()) return old;
-  return mirrorOfKind(static_cast<std::size_t>(kind - mirrorShapes.begin()), old, eye);
+// The number of a name in one of the lists of level_fields.h.
+template <typename Names>
+std::size_t numberOf(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 void putRight(Mistakes& mistakes, const std::string& which) {
@@ -39,7 +29,7 @@ double eased(double t) {
   return t * t * (3 - 2 * t);
 }
 
-// The level so far into the move, 0..1. What cannot be half done is done from the beginning.
+// The level so far into the move, 0..1.
 Level levelAt(const StepMove& move, const Level& from, double share) {
   Level level = from;
   const auto towards = [&](auto& value, const auto& goal) {
@@ -53,11 +43,25 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
     const Vector way = *move.mirror - middleOf(from.optic.shape);
     level = moved(level, {Part::mirror}, (share >= 1 ? 1 : eased(share)) * way);
   }
+  return level;
+}
+
+// What cannot be half done is done at once.
+Level begun(const StepMove& move, const Workspace& work) {
+  Level level = work.session.level();
+  if (!move.shape.empty()) {
+    const auto& original = work.studio.products().original.mesh;
+    const Box box = original ? boundingBox(original->positions) : Box{};
+    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), box);
+  }
+  if (!move.mirrorKind.empty()) {
+    level.optic.shape =
+        mirrorOfKind(numberOf(mirrorShapes, move.mirrorKind), level.optic.shape, level.camera.eye);
+  }
   if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
-  level.original.shape = shapeNamed(move.shape, level.original.shape);
-  if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments)
+  if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments) {
     box->segments = *move.segments;
-  level.optic.shape = mirrorNamed(move.mirrorKind, level.optic.shape, level.camera.eye);
+  }
   putRight(level.sculpture.mistakes, move.putRight);
   return level;
 }
@@ -101,8 +105,8 @@ void playStep(Workspace& work) {
   finishPlay(work);
   work.session.finishChange();
   playView(work, *run.open().show.play);
-  run.play =
-      StepPlay{*run.open().show.play, work.session.level(), work.session.level(), work.display.morph, 0};
+  run.play = StepPlay{*run.open().show.play, begun(*run.open().show.play, work), work.session.level(),
+                      work.display.morph, 0};
 }
 
 bool advancePlay(Workspace& work, double seconds) {

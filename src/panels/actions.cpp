@@ -5,9 +5,9 @@
 #include <system_error>
 
 #include "edit/orbit.h"
-#include "panels/lesson_text.h"
 #include "panels/dialog.h"
 #include "panels/file_flow.h"
+#include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 #include "panels/widgets.h"
 
@@ -49,8 +49,8 @@ void cancel(Workspace& work, UiState& ui) {
   if (ui.tourCard >= 0) {
     ui.tourCard = -1;
     ui.preferences.tourSeen = true;
-  } else if (ui.render.open || ui.helpOpen || ui.progressOpen) {
-    ui.render.open = ui.helpOpen = ui.progressOpen = false;
+  } else if (ui.render.open || ui.helpOpen || ui.progressOpen || ui.exporting.open) {
+    ui.render.open = ui.helpOpen = ui.progressOpen = ui.exporting.open = false;
   } else if (work.preview.expanded) {
     work.preview.expanded = false;
   } else if (work.cell || work.point) {
@@ -114,6 +114,8 @@ const std::vector<ActionText>& actionTexts() {
       {Action::present, "Present", "The step in large letters and a mark around the mouse, for an audience"},
       {Action::reload, "Reload the level", "From its file"},
       {Action::renderImage, "Render an image", "In high resolution"},
+      {Action::exportFiles, "Export...",
+       "Sculpture, viewing sheet, rays, reports and pictures, to take home"},
       {Action::screenshot, "Screenshot", "Of the window, as PNG"},
       {Action::help, "Help", "Keys, mouse and words"},
       {Action::tour, "Show me around", "What is where in the window, in twenty seconds"},
@@ -157,6 +159,7 @@ std::vector<Shortcut> shortcuts(bool vrtKeys) {
       {Action::tour, f1, shift, "Shift+F1"},
       {Action::reload, f5, 0, "F5"},
       {Action::renderImage, 'R', control | shift, "Ctrl+Shift+R"},
+      {Action::exportFiles, 'E', control, "Ctrl+E"},
       {Action::screenshot, f12, 0, "F12"},
       {Action::help, f1, 0, "F1"},
       {Action::hidePanels, f2, 0, "F2"},
@@ -270,8 +273,11 @@ void perform(Action action, Workspace& work, UiState& ui) {
     case Action::renderImage:
       ui.render.open = true;
       return;
+    case Action::exportFiles:
+      ui.exporting.open = !ui.exporting.open;
+      return;
     case Action::screenshot:
-      ui.requests.screenshot = true;
+      ui.requests.shot = ShotRequest{1, !ui.panelsHidden, false, {}};
       return;
     case Action::help:
       ui.helpOpen = !ui.helpOpen;

@@ -21,6 +21,7 @@ enum class Action {
   reload,
   screenshot,
   renderImage,
+  exportFiles,
   quit,
   undo,
   redo,

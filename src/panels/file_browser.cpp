@@ -89,13 +89,15 @@ void makeFolder(FileBrowser& b) {
 }  // namespace
 
 const PurposeTexts& purposeTexts(FilePurpose purpose) {
-  static const std::array<PurposeTexts, 6> texts{{
+  static const std::array<PurposeTexts, 8> texts{{
       {"Open a level", "Open", false, {".json"}},
       {"Save the level", "Save", true, {".json"}},
       {"A mesh for the original", "Open", false, {".obj", ".stl", ".ply"}},
       {"Export the sculpture", "Save", true, {".obj", ".stl", ".ply"}},
       {"Export the rays", "Save", true, {".obj"}},
       {"Save the picture", "Save", true, {".png"}},
+      {"Export the viewing sheet", "Save", true, {".pdf", ".svg"}},
+      {"Export the match report", "Save", true, {".html", ".json"}},
   }};
   return texts.at(static_cast<std::size_t>(purpose));
 }

@@ -21,7 +21,16 @@ namespace anamorph {
 struct UiState;
 
 /// What a file is chosen for; title, button, kinds of files and ending are in a table of file_browser.cpp.
-enum class FilePurpose { openLevel, saveLevel, openMesh, saveMesh, saveLines, saveImage };
+enum class FilePurpose {
+  openLevel,
+  saveLevel,
+  openMesh,
+  saveMesh,
+  saveLines,
+  saveImage,
+  saveSheet,
+  saveReport
+};
 
 struct FileBrowser {
   bool open = false;

@@ -48,6 +48,7 @@ void fileMenu(Workspace& work, UiState& ui) {
   item(Action::save, work, ui);
   item(Action::saveAs, work, ui);
   ImGui::Separator();
+  item(Action::exportFiles, work, ui);
   item(Action::renderImage, work, ui);
   item(Action::screenshot, work, ui);
   ImGui::Separator();

@@ -4,8 +4,8 @@
 
 #include <imgui.h>
 
-#include "panels/lesson_text.h"
 #include "panels/dialog.h"
+#include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 
 namespace anamorph {
@@ -75,6 +75,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawStatusLine(work, ui);
   drawSplitters(ui);
   drawRenderWindow(work, ui);
+  drawExportWindow(work, ui);
   drawHelpWindow(work, ui);
   drawProgressWindow(work, ui);
   drawPresenter(work, ui);

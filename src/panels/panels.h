@@ -22,6 +22,7 @@ void drawPreviewPanel(Workspace& work, UiState& ui);
 void drawStatusLine(Workspace& work, UiState& ui);
 void drawHelpWindow(Workspace& work, UiState& ui);
 void drawRenderWindow(Workspace& work, UiState& ui);
+void drawExportWindow(Workspace& work, UiState& ui);
 /// Points and badges of all lessons.
 void drawProgressWindow(Workspace& work, UiState& ui);
 /// The open step in large letters, and a mark around the mouse: for an audience.

@@ -13,6 +13,7 @@
 #include "edit/gizmo_drag.h"
 #include "edit/pick.h"
 #include "edit/selection.h"
+#include "exports/export_request.h"
 #include "level/level_library.h"
 #include "panels/file_browser.h"
 #include "panels/layout.h"
@@ -98,15 +99,38 @@ struct DialogKey {
   bool repeated = false;  ///< it is held down
 };
 
+/// A picture of the window.
+struct ShotRequest {
+  int factor = 1;  ///< times as large as the window, 1..4
+  bool panels = true;
+  bool transparent = false;
+  std::filesystem::path path;  ///< empty: one is found beside the user's other pictures
+};
+
 /// What only the window can do; taken and cleared by it after every frame.
 struct UiRequests {
   bool quit = false;
   bool toggleFullscreen = false;
-  bool screenshot = false;
+  std::optional<ShotRequest> shot;
+  bool startExport = false, cancelExport = false, checkPrint = false;
   bool startRender = false, cancelRender = false, saveRender = false;
   std::optional<std::filesystem::path> open;  ///< a level; asked about first when there are unsaved changes
   bool startNew = false;                      ///< likewise
   std::optional<RecoveryAnswer> recovery;
+};
+
+/// The window that exports.
+struct ExportDialog {
+  bool open = false;
+  int kind = 0;  ///< an ExportKind, or one more for a screenshot
+  ExportRequest request;
+  ShotRequest shot;
+  std::filesystem::path folder;  ///< of the last export; empty: none yet
+  bool choosing = false;         ///< the file browser is open for it
+  bool running = false;
+  double share = 0;
+  std::string message;             ///< what came of the last one
+  std::vector<std::string> lines;  ///< and what else is to be said about it
 };
 
 enum class PropertyTab { eye, original, mirror, sculpture, lights, rays, view };
@@ -156,6 +180,7 @@ struct UiState {
   double highlightSeconds = 0;   ///< that are left of it
   std::size_t scrolledStep = 0;  ///< the step that the lesson's text has been scrolled to the top for
   RenderDialog render;
+  ExportDialog exporting;
 
   PropertyTab tab = PropertyTab::eye;
   Selection tabSelection;  ///< that `tab` was last switched for

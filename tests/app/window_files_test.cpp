@@ -59,15 +59,27 @@ class RealWindowFiles : public ::testing::Test {
   }
   State state() const { return window->state(); }
 
+  // Events may come faster than frames on a busy machine, and press and motion in one frame are no drag.
+  void waitForFrames(int count) const {
+    const double frame = state().number("frame");
+    window->waitFor([&](const State& s) { return s.number("frame") >= frame + count; }, 5);
+  }
+
   // Drags the eye's x in the properties; `release`: or keeps the button down.
   void dragEye(bool release = true) {
     const auto list = state().list("properties");
     const double x = list.at(0) + 0.46 * list.at(2);
     const Vector before = state().vector("eye");
-    for (double y = list.at(1) + 90; y < list.at(1) + 140; y += 8) {
-      window->dragTo(x, y, x + 25, y);
-      if (window->waitFor([&](const State& s) { return s.vector("eye") != before; }, 1)) break;
+    for (double y = list.at(1) + 106; y < list.at(1) + 120; y += 6) {
+      window->move(x, y);
+      waitForFrames(2);
+      window->press();
+      waitForFrames(2);
+      window->move(x + 25, y);
+      waitForFrames(2);
+      if (state().vector("eye") != before) break;
       window->release();
+      waitForFrames(2);
     }
     ASSERT_NE(state().vector("eye"), before);
     if (!release) return;

@@ -22,7 +22,7 @@ std::vector<Action> allActions() {
 }
 
 bool anythingAsked(const UiRequests& requests) {
-  return requests.quit || requests.toggleFullscreen || requests.screenshot || requests.startRender ||
+  return requests.quit || requests.toggleFullscreen || requests.shot || requests.startRender ||
          requests.cancelRender || requests.saveRender || requests.open || requests.startNew;
 }
 

@@ -1,0 +1,80 @@
+#include "app/export_job.h"
+
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/language.h"
+#include "base/parallel_for.h"
+#include "exports/export_request.h"
+
+namespace anamorph {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+void ExportJob::update(Workspace& work, UiState& ui) {
+  ExportDialog& dialog = ui.exporting;
+  const Products& products = work.studio.products();
+  if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
+  if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
+  if (std::exchange(ui.requests.cancelExport, false)) {
+    waiting_.reset();
+    worker_.cancel();
+    dialog.message = tr("Cancelled. Nothing was written.");
+    dialog.lines.clear();
+  }
+  if (waiting_ && products.problem) {
+    waiting_.reset();
+    dialog.message = tr("There is no sculpture to export.");
+    dialog.lines = {*products.problem};
+  }
+  if (waiting_ && products.complete) start(*std::exchange(waiting_, std::nullopt), products, dialog);
+  if (auto outcome = outcomes_->take()) {
+    dialog.message = std::move(outcome->message);
+    dialog.lines = std::move(outcome->lines);
+    if (outcome->written) ++work.exported;
+  }
+  if (auto failure = worker_.takeFailure()) {
+    dialog.message = std::move(*failure);
+    dialog.lines.clear();
+  }
+  dialog.running = waiting_ || worker_.busy();
+  dialog.share = waiting_ ? 0 : worker_.share();
+}
+
+void ExportJob::start(Task task, const Products& products, const ExportDialog& dialog) {
+  const FinishedLevel finished{products.level, products.original, products.sculpture};
+  worker_.request([task, finished, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
+    const int threads = hardwareThreads();
+    Outcome outcome;
+    if (task == Task::check) {
+      const auto check = checkSculpture(finished, request.millimetresPerUnit, threads, progress);
+      if (!check) return;
+      const auto problems = findPrintProblems(*check, countNotMapped(finished));
+      const auto hints = findPrintHints(*check);
+      outcome.message = tr(problems.empty() ? "It can be printed." : "A printer would stumble over this:");
+      outcome.lines = problems;
+      outcome.lines.insert(outcome.lines.end(), hints.begin(), hints.end());
+      for (std::string& line : linesOf(formatPrintCheck(*check))) outcome.lines.push_back(std::move(line));
+    } else {
+      const auto summary = exportLevel(finished, request, threads, progress);
+      if (!summary) return;
+      outcome.message =
+          fmt::format(fmt::runtime(tr("Written: {} ({})")), request.path.string(), summary->description);
+      outcome.lines = summary->warnings;
+      outcome.written = true;
+    }
+    outcomes->put(outcome);
+  });
+}
+
+}  // namespace anamorph

@@ -1,0 +1,40 @@
+// Files to take home, made by a worker of its own from the settled level: what the export window asks for
+// waits until the sculpture is refined and matched, and a drag that goes on meanwhile changes nothing in it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/workspace.h"
+#include "panels/ui_state.h"
+#include "pipeline/worker.h"
+
+namespace anamorph {
+
+class ExportJob {
+ public:
+  explicit ExportJob(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+  /// Once a frame: starts and cancels as the window asks, and tells it how far things are and what came of
+  /// them. A file that was written counts for the lesson.
+  void update(Workspace& work, UiState& ui);
+
+ private:
+  struct Outcome {
+    std::string message;
+    std::vector<std::string> lines;  ///< warnings; the print check
+    bool written = false;
+  };
+  enum class Task { write, check };
+
+  void start(Task task, const Products& products, const ExportDialog& dialog);
+
+  std::optional<Task> waiting_;
+  std::shared_ptr<Mailbox<Outcome>> outcomes_ = std::make_shared<Mailbox<Outcome>>();
+  Worker worker_;  // last: its jobs use the mailbox
+};
+
+}  // namespace anamorph

@@ -1,0 +1,104 @@
+#include "app/shot.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <utility>
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+namespace anamorph {
+namespace {
+
+// Puts things back, whatever happens.
+class Undisturbed {
+ public:
+  explicit Undisturbed(Desk& desk)
+      : desk_(desk),
+        size_(ImGui::GetIO().DisplaySize),
+        scale_(ImGui::GetIO().DisplayFramebufferScale),
+        mouse_(ImGui::GetIO().MousePos),
+        panelsHidden_(desk.ui().panelsHidden),
+        exportOpen_(desk.ui().exporting.open) {}
+  ~Undisturbed() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = size_;
+    io.DisplayFramebufferScale = scale_;
+    io.MousePos = mouse_;
+    desk_.ui().panelsHidden = panelsHidden_;
+    desk_.ui().exporting.open = exportOpen_;
+    desk_.setShotFactor(1);
+    desk_.setTransparent(false);
+  }
+  Undisturbed(const Undisturbed&) = delete;
+  Undisturbed& operator=(const Undisturbed&) = delete;
+
+  int width() const { return static_cast<int>(size_.x * scale_.x); }
+  int height() const { return static_cast<int>(size_.y * scale_.y); }
+
+ private:
+  SavedTarget target_;
+  Desk& desk_;
+  ImVec2 size_, scale_, mouse_;
+  bool panelsHidden_, exportOpen_;
+};
+
+}  // namespace
+
+Bitmap readBack(const Framebuffer& target) {
+  const int w = target.width(), h = target.height();
+  Bitmap bitmap{w, h, 4, std::vector<std::uint8_t>(std::size_t{4} * w * h)};
+  target.bind();
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  const std::size_t stride = std::size_t{4} * w;
+  for (int y = 0; y < h; ++y) {
+    glReadPixels(0, h - 1 - y, w, 1, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data() + y * stride);
+  }
+  return bitmap;
+}
+
+void divideByAlpha(Bitmap& bitmap) {
+  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
+    const int alpha = bitmap.bytes[i + 3];
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c) {
+      bitmap.bytes[i + c] =
+          static_cast<std::uint8_t>(std::min(255, (bitmap.bytes[i + c] * 255 + alpha / 2) / alpha));
+    }
+  }
+}
+
+Bitmap withoutAlpha(const Bitmap& bitmap) {
+  Bitmap opaque{bitmap.width, bitmap.height, 3, {}};
+  opaque.bytes.reserve(bitmap.bytes.size() / 4 * 3);
+  for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
+    opaque.bytes.insert(opaque.bytes.end(), bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i),
+                        bitmap.bytes.begin() + static_cast<std::ptrdiff_t>(i + 3));
+  }
+  return opaque;
+}
+
+Bitmap takeShot(Desk& desk, const ShotRequest& request) {
+  const Undisturbed guard(desk);
+  const int factor = std::clamp(request.factor, 1, 4);
+  const Framebuffer target(guard.width() * factor, guard.height() * factor, {TexelFormat::rgba8});
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(target.width()), static_cast<float>(target.height())};
+  io.DisplayFramebufferScale = {1, 1};
+  io.MousePos = {-FLT_MAX, -FLT_MAX};
+  desk.setShotFactor(factor);
+  desk.setTransparent(request.transparent);
+  desk.ui().exporting.open = false;
+  desk.ui().panelsHidden = !request.panels;
+  const ViewQuality best = QualityGovernor::best();
+  constexpr int layoutFrames = 4, mostFrames = 200;
+  for (int i = 0; i < layoutFrames || (i < mostFrames && !desk.viewComplete()); ++i) {
+    target.bind();
+    desk.frame(1e-4, i + 1 < layoutFrames ? nullptr : &best);
+  }
+  Bitmap bitmap = readBack(target);
+  if (!request.transparent) return withoutAlpha(bitmap);
+  divideByAlpha(bitmap);
+  return bitmap;
+}
+
+}  // namespace anamorph

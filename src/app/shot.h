@@ -1,0 +1,20 @@
+// Pictures of the window itself: as large as it is or up to four times, with or without its panels, over
+// nothing on request. Drawn anew for the picture, so they are as sharp as a screen of that size.
+#pragma once
+
+#include "app/desk.h"
+#include "gl/framebuffer.h"
+
+namespace anamorph {
+
+/// What `target` holds, RGBA, first row at the top.
+Bitmap readBack(const Framebuffer& target);
+
+/// Colours that were drawn over nothing were multiplied by alpha: undoes it.
+void divideByAlpha(Bitmap& bitmap);
+Bitmap withoutAlpha(const Bitmap& bitmap);
+
+/// The desk as it is, in its final quality. The window goes on as before with its next frame.
+Bitmap takeShot(Desk& desk, const ShotRequest& request);
+
+}  // namespace anamorph

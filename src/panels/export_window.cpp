@@ -1,0 +1,211 @@
+// Take it home: the sculpture for a printer, the sheet to set it up by, rays, reports and pictures. The
+// window asks; the export job makes the file from the settled level.
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "base/language.h"
+#include "panels/file_browser.h"
+#include "panels/panels.h"
+#include "panels/style.h"
+#include "panels/widgets.h"
+
+namespace anamorph {
+namespace {
+
+constexpr int screenshotKind = static_cast<int>(ExportKind::picture) + 1;
+
+bool isScreenshot(const ExportDialog& dialog) {
+  return dialog.kind == screenshotKind;
+}
+
+void scaleRow(ExportDialog& dialog) {
+  numberRow("mm per unit", dialog.request.millimetresPerUnit, {0.001, 1000, 0.1, "%.3g"},
+            "How many millimetres a scene unit becomes.");
+}
+
+void plateRows(ExportDialog& dialog) {
+  bool plate = dialog.request.basePlate.has_value();
+  if (checkRow("Base plate", plate, "A slab that it stands on, with posts up to it where it floats.")) {
+    dialog.request.basePlate = plate ? std::optional(BasePlateSettings{}) : std::nullopt;
+  }
+  if (!dialog.request.basePlate) return;
+  numberRow("Thickness", dialog.request.basePlate->thickness, {0.2, 50, 0.1, "%.1f mm"});
+  numberRow("Margin", dialog.request.basePlate->margin, {0, 100, 0.1, "%.1f mm"}, "Around the sculpture.");
+}
+
+void sheetRows(ExportDialog& dialog) {
+  int paper = static_cast<int>(dialog.request.paper);
+  if (choiceRow("Paper", paper, {"A4", "A3", "Letter"})) dialog.request.paper = static_cast<Paper>(paper);
+  bool fits = !dialog.request.sheetScale;
+  if (checkRow("As large as fits", fits, "1 : 1 where the paper is large enough.")) {
+    dialog.request.sheetScale = fits ? std::nullopt : std::optional(1.0);
+  }
+  if (dialog.request.sheetScale) {
+    numberRow("Scale 1 :", *dialog.request.sheetScale, {0.1, 1000, 0.1, "%.3g"});
+  }
+}
+
+void rayRows(ExportDialog& dialog) {
+  int source = dialog.request.vertexRays ? 1 : 0;
+  if (choiceRow("Which", source, {"Through the pixels", "Through vertices"})) {
+    dialog.request.vertexRays = source == 1 ? std::optional(200) : std::nullopt;
+  }
+  if (dialog.request.vertexRays) integerRow("How many", *dialog.request.vertexRays, 1, 10000);
+}
+
+void pictureRows(ExportDialog& dialog) {
+  int picture = static_cast<int>(dialog.request.picture);
+  if (choiceRow("Picture", picture, {"Reflection", "Original", "Difference"})) {
+    dialog.request.picture = static_cast<PictureKind>(picture);
+  }
+  integerRow("Longer side", dialog.request.size, 16, 8192, "In pixels.");
+}
+
+void screenshotRows(ExportDialog& dialog) {
+  integerRow("Times as large", dialog.shot.factor, 1, 4, "As the window is.");
+  checkRow("With the panels", dialog.shot.panels);
+  checkRow("Transparent", dialog.shot.transparent, "No background and no ground.");
+}
+
+void kindRows(ExportDialog& dialog) {
+  if (isScreenshot(dialog)) return screenshotRows(dialog);
+  switch (static_cast<ExportKind>(dialog.kind)) {
+    case ExportKind::sculpture:
+      scaleRow(dialog);
+      return plateRows(dialog);
+    case ExportKind::viewingSheet:
+      scaleRow(dialog);
+      plateRows(dialog);
+      return sheetRows(dialog);
+    case ExportKind::rays:
+      scaleRow(dialog);
+      return rayRows(dialog);
+    case ExportKind::matchReport:
+      integerRow("Longer side", dialog.request.size, 16, 4096,
+                 "Of the pictures that are compared, in pixels.");
+      return;
+    case ExportKind::picture:
+      return pictureRows(dialog);
+  }
+}
+
+const char* explanation(const ExportDialog& dialog) {
+  if (isScreenshot(dialog)) return "The window as it is, as PNG.";
+  switch (static_cast<ExportKind>(dialog.kind)) {
+    case ExportKind::sculpture:
+      return "For a 3D printer: OBJ, STL or PLY, in millimetres.";
+    case ExportKind::viewingSheet:
+      return "One page, PDF or SVG: put mirror and sculpture on their outlines, and your eye where it says.";
+    case ExportKind::rays:
+      return "Lines for a modelling program, as OBJ.";
+    case ExportKind::matchReport:
+      return "How well the reflection agrees: a page with pictures (HTML), or figures (JSON).";
+    case ExportKind::picture:
+      return "What the RT camera sees, as PNG.";
+  }
+  return "";
+}
+
+FilePurpose purposeOf(const ExportDialog& dialog) {
+  if (isScreenshot(dialog)) return FilePurpose::saveImage;
+  constexpr FilePurpose purposes[] = {FilePurpose::saveMesh, FilePurpose::saveSheet, FilePurpose::saveLines,
+                                      FilePurpose::saveReport, FilePurpose::saveImage};
+  return purposes[dialog.kind];
+}
+
+std::string proposedName(const Workspace& work, const ExportDialog& dialog) {
+  constexpr const char* names[] = {"sculpture.stl", "sheet.pdf",   "rays.obj",
+                                   "match.html",    "picture.png", "window.png"};
+  const std::string level = work.session.path().stem().string();
+  return (level.empty() ? "" : level + "-") + names[dialog.kind];
+}
+
+// The browser's choice: the file is written at once.
+void takeChoice(UiState& ui) {
+  ExportDialog& dialog = ui.exporting;
+  if (!dialog.choosing) return;
+  const auto path = takeChosenFile(ui, purposeOf(dialog));
+  if (!path) {
+    if (!ui.browser.open) dialog.choosing = false;
+    return;
+  }
+  dialog.choosing = false;
+  dialog.folder = path->parent_path();
+  dialog.lines.clear();
+  if (isScreenshot(dialog)) {
+    dialog.shot.path = *path;
+    ui.requests.shot = dialog.shot;
+    return;
+  }
+  dialog.request.kind = static_cast<ExportKind>(dialog.kind);
+  dialog.request.path = *path;
+  ui.requests.startExport = true;
+}
+
+void drawButtons(const Workspace& work, UiState& ui) {
+  ExportDialog& dialog = ui.exporting;
+  if (dialog.running) {
+    ImGui::ProgressBar(static_cast<float>(dialog.share), {-90 * static_cast<float>(ui.scale), 0});
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelExport = true;
+    return;
+  }
+  if (dialog.kind == static_cast<int>(ExportKind::sculpture) &&
+      wideButton("Check for printing", "Closed, the right side out, no crossings, walls thick enough.")) {
+    ui.requests.checkPrint = true;
+  }
+  if (wideButton("Save as...")) {
+    dialog.choosing = true;
+    browseFiles(ui, purposeOf(dialog), dialog.folder / proposedName(work, dialog));
+  }
+}
+
+void drawOutcome(const UiState& ui) {
+  const ExportDialog& dialog = ui.exporting;
+  if (dialog.message.empty()) return;
+  ImGui::Separator();
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(dialog.message.c_str());
+  ImGui::PopTextWrapPos();
+  for (const std::string& line : dialog.lines) quietText(ui, line.c_str());
+}
+
+}  // namespace
+
+void drawExportWindow(Workspace& work, UiState& ui) {
+  takeChoice(ui);
+  ExportDialog& dialog = ui.exporting;
+  if (!dialog.open) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(460 * s, display.x), std::min(470 * s, 0.94f * display.y)},
+                           ImGuiCond_Appearing);
+  const std::string title = std::string(tr("Export")) + "###export";
+  if (ImGui::Begin(title.c_str(), &dialog.open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::BeginDisabled(dialog.running);
+    if (segmentedControl("kinds", dialog.kind,
+                         {"Sculpture", "Viewing sheet", "Rays", "Match report", "Picture", "Screenshot"},
+                         3)) {
+      dialog.message.clear();
+      dialog.lines.clear();
+    }
+    quietText(ui, explanation(dialog));
+    ImGui::Dummy({0, 4 * s});
+    ImGui::PushID(dialog.kind);
+    kindRows(dialog);
+    ImGui::PopID();
+    ImGui::EndDisabled();
+    ImGui::Dummy({0, 4 * s});
+    drawButtons(work, ui);
+    drawOutcome(ui);
+  }
+  ImGui::End();
+}
+
+}  // namespace anamorph
