@@ -20,7 +20,7 @@ MoreCommands windowCommands() {
 
 void addOpenCommand(CLI::App& app, CommonOptions&) {
   struct Options {
-    std::string level = "1-plane", model, theme, language, stateLog;
+    std::string level = "0-perspective", model, theme, language, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
     std::size_t step = 0;

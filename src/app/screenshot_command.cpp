@@ -30,7 +30,7 @@ struct ScreenshotOptions {
   double uiScale = 1, morph = 1;
   std::size_t step = 0;
   int tour = 0;
-  bool present = false, help = false, progress = false, showMe = false;
+  bool present = false, help = false, exporting = false, progress = false, showMe = false;
   bool noPanels = false, transparent = false, lookThrough = false;
   std::optional<std::uint32_t> vertex;
 };
@@ -78,6 +78,7 @@ void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
   if (options.step > 0) openStep(work, options.step - 1);
   if (options.present) perform(Action::present, work, ui);
   if (options.help) perform(Action::help, work, ui);
+  if (options.exporting) perform(Action::exportFiles, work, ui);
   if (options.progress) perform(Action::progress, work, ui);
   if (options.tour > 0) ui.tourCard = options.tour - 1;
 }
@@ -148,6 +149,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_flag("--show-me", options->showMe, "After the move that the step shows");
   command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
   command->add_flag("--help-window", options->help, "With the help window");
+  command->add_flag("--export-window", options->exporting, "With the export window");
   command->add_flag("--progress-window", options->progress, "With points and badges");
   command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberFrom(1, 5));
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")

@@ -103,18 +103,19 @@ void drawPerspective(const UiState& ui) {
   const Sheet sheet(ui, 50);
   constexpr float eyeX = 14, eyeY = 10, ground = 42;
   const auto onGround = [&](float x, float y) { return eyeX + (x - eyeX) * (ground - eyeY) / (y - eyeY); };
-  const float topFar = onGround(54, 24), bottom = 44;
+  constexpr float left = 40, right = 48, top = 26;
+  const float topFar = onGround(right, top), bottom = left;
   sheet.line(6, ground, 96, ground, sheet.quiet(), 1.6f);
   sheet.line(eyeX, eyeY, topFar, ground, incident, 1.6f);
   sheet.line(eyeX, eyeY, bottom, ground, incident, 1.6f);
-  sheet.polygon({{bottom, ground}, {bottom, 24}, {54, 24}, {54, ground}}, object, false);
+  sheet.polygon({{left, ground}, {left, top}, {right, top}, {right, ground}}, object, false);
   sheet.line(bottom, ground - 0.8f, topFar, ground - 0.8f, reflected, 4);
   sheet.eye(eyeX, eyeY);
   sheet.letter(eyeX, eyeY - 6, "E");
-  sheet.letter(58, 22, "P");
-  sheet.dot(54, 24, object);
-  sheet.letter(topFar + 1, ground + 4.5f, "S", reflected);
-  sheet.words(62, ground + 4.8f, "the picture on the floor");
+  sheet.letter(right + 4, top - 2, "P");
+  sheet.dot(right, top, object);
+  sheet.letter(topFar + 3, ground - 4, "S", reflected);
+  sheet.words((left + topFar) / 2, ground + 4.8f, "the picture on the floor");
 }
 
 // A mirror seen from its edge: the construction of one vertex.

@@ -47,6 +47,14 @@ void drawMirrorProperties(Workspace& work, UiState& ui) {
   MirrorShape& shape = level.optic.shape;
   bool changed = false;
   if (section(ui, "Mirror")) {
+    bool reflects = level.optic.kind == OpticKind::mirror;
+    if (checkRow(
+            "Reflects", reflects,
+            "Off: no mirror but a canvas that light passes. The sculpture's points slide along the view rays "
+            "towards it: perspective anamorphosis.")) {
+      level.optic.kind = reflects ? OpticKind::mirror : OpticKind::none;
+      changed = true;
+    }
     int kind = static_cast<int>(shape.index());
     if (choiceRow("Shape", kind, {"Plane", "Cylinder", "Sphere"},
                   "Another one has the same middle, and is as large as fits the old one.") &&

@@ -30,6 +30,31 @@ bool deformationRows(SculptureSettings& sculpture) {
   return changed;
 }
 
+// Each is right when its box is ticked. Folded where a level opens without mistakes to find.
+bool formulaRows(const UiState& ui, const Workspace& work, Mistakes& mistakes) {
+  ImGui::PushID(work.session.generation());
+  const bool open = section(ui, "Formulas", mistakes.any());
+  ImGui::PopID();
+  if (!open) return false;
+  const auto row = [](const char* name, bool& mistake, const char* help) {
+    bool right = !mistake;
+    if (!checkRow(name, right, help)) return false;
+    mistake = !right;
+    return true;
+  };
+  bool changed =
+      row("Direction", mistakes.direction,
+          "Ticked: the ray from the eye is reflected. Not ticked: the ray towards the eye is, as in the "
+          "thesis' published program, and everything lands behind the mirror.");
+  changed |= row(
+      "Normal", mistakes.normal,
+      "Ticked: a cylinder's normal points away from its axis. Not ticked: from its middle, as if it were a "
+      "sphere.");
+  changed |= row("Distance", mistakes.distance,
+                 "Ticked: d = |P - Q|. Not ticked: |(P - E) - Q|, which takes a point from a direction.");
+  return changed;
+}
+
 void sizeRows(const Workspace& work) {
   const Products& products = work.studio.products();
   if (!products.sculpture.sculpture) return;
@@ -73,6 +98,7 @@ void drawSculptureProperties(Workspace& work, UiState& ui) {
     changed |= deformationRows(level.sculpture);
     sizeRows(work);
   }
+  changed |= formulaRows(ui, work, level.sculpture.mistakes);
   if (section(ui, "Vertex ray")) constructionRows(work, ui);
   if (section(ui, "Shown as")) {
     sliderRow(

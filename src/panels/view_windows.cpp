@@ -120,7 +120,8 @@ void drawLegend(const Workspace& work, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
   legendLine(ui, "from the eye", IM_COL32(0x00, 0x72, 0xB2, 255), 0);
-  legendLine(ui, "reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1);
+  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
+  if (reflects) legendLine(ui, "reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1);
   if (work.point) legendLine(ui, "normal", IM_COL32(0x00, 0x9E, 0x73, 255), 2);
   if (work.rays.lightRays) {
     legendLine(ui, "to a light", IM_COL32(0xF0, 0xE4, 0x42, 255), 2);

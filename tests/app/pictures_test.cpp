@@ -1,0 +1,73 @@
+// The pictures of the documentation are what the program draws today: each is made anew by the command in
+// docs/pictures.txt and compared.
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "raytrace/png.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+
+struct Picture {
+  std::string file, arguments;
+};
+
+void PrintTo(const Picture& picture, std::ostream* out) {
+  *out << picture.file;
+}
+
+std::vector<Picture> pictures() {
+  std::vector<Picture> all;
+  std::ifstream list(std::string(ANAMORPH_SOURCE_DIR) + "/docs/pictures.txt");
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream words(line);
+    Picture picture;
+    words >> picture.file >> std::ws;
+    std::getline(words, picture.arguments);
+    if (!picture.file.empty() && picture.file[0] != '#') all.push_back(picture);
+  }
+  return all;
+}
+
+class DocumentPicture : public ::testing::TestWithParam<Picture> {};
+
+TEST_P(DocumentPicture, IsWhatTheProgramDraws) {
+  const Picture& picture = GetParam();
+  const TemporaryFolder folder;
+  const std::string made = folder / "made.png";
+  const Result result = run(picture.arguments + " -o " + made);
+  if (result.err.find("no picture can be drawn here") != std::string::npos) GTEST_SKIP() << result.err;
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const Bitmap now = loadPng(made), kept = loadPng(std::string(ANAMORPH_SOURCE_DIR) + "/" + picture.file);
+  ASSERT_EQ(now.width, kept.width);
+  ASSERT_EQ(now.height, kept.height);
+  ASSERT_EQ(now.bytes.size(), kept.bytes.size());
+  double sum = 0;
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < now.bytes.size(); ++i) {
+    const int difference = std::abs(int(now.bytes[i]) - int(kept.bytes[i]));
+    sum += difference;
+    far += difference > 32;
+  }
+  const auto count = static_cast<double>(now.bytes.size());
+  EXPECT_LT(sum / count, 1.0) << "docs/make_pictures.sh makes them anew; look at them then";
+  EXPECT_LT(static_cast<double>(far) / count, 0.005);
+}
+
+INSTANTIATE_TEST_SUITE_P(Documents, DocumentPicture, ::testing::ValuesIn(pictures()), [](const auto& each) {
+  std::string name = each.param.file;
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace anamorph
