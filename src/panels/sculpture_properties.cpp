@@ -14,7 +14,7 @@ namespace {
 
 bool deformationRows(SculptureSettings& sculpture) {
   bool changed = sliderRow(
-      "Depth scale k", sculpture.depthScale, {0.25, 4, 0.01, "%.2f"},
+      "Depth scale k", sculpture.depthScale, {0.01, 4, 0.01, "%.2f"},
       "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
   bool refine = sculpture.tolerancePixels > 0;
   if (checkRow("Refine", refine,
