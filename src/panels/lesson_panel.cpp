@@ -93,10 +93,14 @@ void drawLesson(Workspace& work, UiState& ui) {
   if (ui.scrolledStep != work.lesson.step) {
     ImGui::SetScrollY(0);
     ui.scrolledStep = work.lesson.step;
+    ui.noticeSeen = work.lesson.done;
   }
   title(ui, work.lesson.open().title);
   drawStepText(work.lesson, ui);
   drawBadge(work, ui);
+  // What there is to notice must not appear below the edge.
+  if (work.lesson.done && !ui.noticeSeen) ImGui::SetScrollHereY(1);
+  ui.noticeSeen = work.lesson.done;
   ImGui::EndChild();
   drawButtons(work, ui);
 }

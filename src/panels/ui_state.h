@@ -178,6 +178,7 @@ struct UiState {
   double tourSeconds = 0;        ///< since its card appeared
   std::string highlight;         ///< English name of the control that "show me" points at
   double highlightSeconds = 0;   ///< that are left of it
+  bool noticeSeen = false;       ///< the open step's notice has been scrolled to
   std::size_t scrolledStep = 0;  ///< the step that the lesson's text has been scrolled to the top for
   RenderDialog render;
   ExportDialog exporting;

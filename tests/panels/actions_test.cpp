@@ -203,7 +203,9 @@ TEST(Keys, DoWhatTheirTableSays) {
   openLevel(work, levels / "1-plane.json");
   EXPECT_TRUE(handleKey('E', 0, work, ui));
   EXPECT_EQ(work.gizmoMode, GizmoMode::rotate);
-  EXPECT_FALSE(handleKey('E', keys::control, work, ui));
+  EXPECT_FALSE(handleKey('W', keys::control, work, ui));
+  EXPECT_TRUE(handleKey('E', keys::control, work, ui));
+  EXPECT_TRUE(ui.exporting.open);
   EXPECT_FALSE(handleKey(999, 0, work, ui));
   ui.preferences.vrtKeys = true;
   EXPECT_TRUE(handleKey('T', 0, work, ui));

@@ -1,0 +1,132 @@
+// Exports from the window: always of the settled level, counted for the lesson; and pictures of the window.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/shot.h"
+#include "cli/program.h"
+#include "desk_fixture.h"
+#include "geometry/mesh_files.h"
+#include "panels/actions.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+
+class ExportWindow : public DeskTest {
+ protected:
+  void SetUp() override {
+    DeskTest::SetUp();
+    if (!headless) return;
+    desk().open(levelPath("1-plane"));
+    Level level = work().session.level();
+    std::get<BoxShape>(level.original.shape).segments = 4;
+    work().session.edit(level);
+    perform(Action::exportFiles, work(), ui());
+    frames(2);
+  }
+  void start(ExportKind kind, const std::string& path) {
+    ui().exporting.kind = static_cast<int>(kind);
+    ui().exporting.request.kind = kind;
+    ui().exporting.request.path = path;
+    ui().exporting.request.size = 64;
+    ui().requests.startExport = true;
+    frames(1);
+  }
+  void wait() {
+    for (int i = 0; i < 3000 && ui().exporting.running; ++i) {
+      frames(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(ui().exporting.running);
+    frames(2);
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(ExportWindow, WritesEveryKindAndCountsIt) {
+  const std::pair<ExportKind, const char*> files[] = {
+      {ExportKind::sculpture, "s.stl"},    {ExportKind::viewingSheet, "s.pdf"},
+      {ExportKind::viewingSheet, "s.svg"}, {ExportKind::rays, "r.obj"},
+      {ExportKind::matchReport, "m.html"}, {ExportKind::matchReport, "m.json"},
+      {ExportKind::picture, "p.png"}};
+  int count = 0;
+  for (const auto& [kind, name] : files) {
+    SCOPED_TRACE(name);
+    start(kind, folder / name);
+    wait();
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << ui().exporting.message;
+    EXPECT_EQ(work().exported, ++count);
+    EXPECT_NE(ui().exporting.message.find(name), std::string::npos) << ui().exporting.message;
+  }
+}
+
+TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
+  Level level = work().session.level();
+  level.sculpture.depthScale = 0.5;
+  work().session.change(level);  // a drag goes on
+  start(ExportKind::sculpture, folder / "s.ply");
+  EXPECT_TRUE(ui().exporting.running);
+  EXPECT_FALSE(std::filesystem::exists(folder / "s.ply"));
+  work().session.finishChange();
+  wait();
+  ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
+  const Products& products = work().studio.products();
+  EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), products.sculpture.sculpture->mesh.triangles.size());
+}
+
+TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {
+  start(ExportKind::sculpture, folder / "no/such/folder/s.stl");
+  wait();
+  EXPECT_NE(ui().exporting.message.find("no/such/folder"), std::string::npos) << ui().exporting.message;
+  Level level = work().session.level();
+  level.camera.eye = {0, 0, 1};  // in the mirror's plane
+  work().session.edit(level);
+  start(ExportKind::sculpture, folder / "s.stl");
+  wait();
+  EXPECT_EQ(ui().exporting.message, "There is no sculpture to export.");
+  work().session.undo();
+  start(ExportKind::matchReport, folder / "m.html");
+  ui().requests.cancelExport = true;
+  frames(1);
+  wait();
+  EXPECT_EQ(ui().exporting.message, "Cancelled. Nothing was written.");
+  EXPECT_EQ(folder.fileCount(), 0u);
+  EXPECT_EQ(work().exported, 0);
+}
+
+TEST_F(ExportWindow, ChecksForPrinting) {
+  ui().requests.checkPrint = true;
+  frames(1);
+  wait();
+  EXPECT_EQ(ui().exporting.message, "It can be printed.");
+  EXPECT_FALSE(ui().exporting.lines.empty());
+}
+
+TEST_F(ExportWindow, ShotsAreAsLargeAsAskedForAndTheWindowGoesOn) {
+  headless->settle();
+  const Bitmap before = headless->readBack();
+  for (const int factor : {1, 2}) {
+    for (const bool panels : {true, false}) {
+      const Bitmap shot = takeShot(desk(), {factor, panels, false, {}});
+      EXPECT_EQ(shot.width, 640 * factor);
+      EXPECT_EQ(shot.height, 480 * factor);
+      EXPECT_EQ(shot.bytes.size(), std::size_t{3} * shot.width * shot.height);
+    }
+  }
+  const Bitmap transparent = takeShot(desk(), {1, false, true, {}});
+  EXPECT_EQ(transparent.bytes[3], 0) << "the corner is sky";
+  EXPECT_TRUE(ui().exporting.open);
+  EXPECT_FALSE(ui().panelsHidden);
+  headless->settle();
+  EXPECT_EQ(headless->readBack().bytes, before.bytes);
+}
+
+}  // namespace
+}  // namespace anamorph
