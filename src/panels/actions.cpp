@@ -28,6 +28,18 @@ void openNeighbour(const Workspace& work, UiState& ui, int offset) {
   if (const LevelEntry* entry = neighbour(work, ui, offset)) ui.requests.open = entry->path;
 }
 
+// The export window by keys alone: the kind, and on to the file.
+bool exportKey(int key, ExportDialog& dialog) {
+  if (key == keys::enter || key == keys::padEnter) {
+    dialog.saveAsked = true;
+  } else if (key == keys::left || key == keys::right) {
+    dialog.kind = (dialog.kind + (key == keys::right ? 1 : exportKindCount - 1)) % exportKindCount;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 // Panels make room for the view and the large words.
 void togglePresenting(UiState& ui) {
   ui.presenting = !ui.presenting;
@@ -308,6 +320,7 @@ bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeat
     perform(key == keys::left ? Action::previousStep : Action::nextStep, work, ui);
     return true;
   }
+  if (ui.exporting.open && modifiers == 0 && exportKey(key, ui.exporting)) return true;
   for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {
     if (shortcut.key == key && shortcut.modifiers == modifiers) {
       perform(shortcut.action, work, ui);

@@ -198,7 +198,7 @@ inline void sendDeleteWindow(const std::string& displayName, unsigned long windo
 
 class VirtualWindow {
  public:
-  /// `arguments` of the command open; the window is at the screen's upper left corner.
+  /// `arguments` of the command open, or "--with-tour"; the window is at the screen's upper left corner.
   explicit VirtualWindow(std::vector<std::string> arguments, Environment more = {}) {
     Environment environment{{"DISPLAY", screen_.display()},
                             {"HOME", folder_ / ""},
@@ -207,6 +207,9 @@ class VirtualWindow {
                             {"WAYLAND_DISPLAY", ""}};
     for (const auto& [name, value] : more) environment[name] = value;
     arguments.insert(arguments.begin(), {ANAMORPH_PROGRAM, "open"});
+    // A first start shows newcomers around, which most tests do not want.
+    const bool tour = std::erase(arguments, "--with-tour") > 0;
+    if (!tour) arguments.push_back("--no-tour");
     arguments.insert(arguments.end(), {"--log-state", logPath()});
     program_ = std::make_unique<Process>(arguments, environment, folder_ / "out", folder_ / "err");
   }
