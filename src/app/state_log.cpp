@@ -90,6 +90,8 @@ std::string stateLine(Desk& desk, std::size_t frame) {
           .add("step", work.lesson.step)
           .add("stepDone", work.lesson.done)
           .add("presenting", ui.presenting)
+          .add("exporting", ui.exporting.open)
+          .add("exported", std::size_t(work.exported))
           .add("tourCard", double(ui.tourCard))
           .add("message", work.message)
           .add("title", windowTitle(work.session))

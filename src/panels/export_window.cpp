@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -16,7 +17,7 @@
 namespace anamorph {
 namespace {
 
-constexpr int screenshotKind = static_cast<int>(ExportKind::picture) + 1;
+constexpr int screenshotKind = exportKindCount - 1;
 
 bool isScreenshot(const ExportDialog& dialog) {
   return dialog.kind == screenshotKind;
@@ -158,7 +159,7 @@ void drawButtons(const Workspace& work, UiState& ui) {
       wideButton("Check for printing", "Closed, the right side out, no crossings, walls thick enough.")) {
     ui.requests.checkPrint = true;
   }
-  if (wideButton("Save as...")) {
+  if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
     browseFiles(ui, purposeOf(dialog), dialog.folder / proposedName(work, dialog));
   }

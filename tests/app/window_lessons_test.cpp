@@ -47,7 +47,7 @@ TEST_F(RealWindowLessons, AStepIsShownDoneAndStillDoneAfterARestart) {
   EXPECT_EQ(window->state().number("step"), 0);
   window->key("m");  // the first step looks through the RT camera
   ASSERT_TRUE(wait([](const State& s) { return s.is("stepDone"); }));
-  window->key("alt+Right");
+  window->xdotool("keydown alt sleep 0.05 keydown Right sleep 0.06 keyup Right sleep 0.05 keyup alt");
   ASSERT_TRUE(wait([](const State& s) { return s.number("step") == 1; }));
   EXPECT_TRUE(std::filesystem::exists(folder / "state/anamorph/progress.json"));
   window->askToClose();
@@ -81,7 +81,7 @@ TEST_F(RealWindowLessons, TheFirstStartShowsAroundOnce) {
 
 TEST_F(RealWindowLessons, ExportsByKeysAlone) {
   start({"1-plane"});
-  window->key("ctrl+e");
+  window->withControl("e");
   ASSERT_TRUE(wait([](const State& s) { return s.is("exporting"); }));
   window->key("Return");
   ASSERT_TRUE(wait([](const State& s) { return s.text("dialog") == "browser"; }));
