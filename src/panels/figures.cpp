@@ -153,12 +153,12 @@ void drawColumns(const UiState& ui) {
   const Sheet sheet(ui, 52);
   const auto bundle = [&](float x, float radius) {
     constexpr float top = 16;
-    for (const float offset : {-6.0f, 0.0f, 6.0f}) {
+    for (const float offset : {-4.0f, 0.0f, 4.0f}) {
       const float lean = radius > 0 ? std::asin(offset / radius) : 0;
       const float hitY = radius > 0 ? top + radius - std::sqrt(radius * radius - offset * offset) : top;
       const float hx = x + offset;
       sheet.line(hx, 44, hx, hitY, incident, 1.6f);
-      const float turn = 2 * lean, length = 22;
+      const float turn = 2 * lean, length = 17;
       sheet.line(hx, hitY, hx + length * std::sin(turn), hitY + length * std::cos(turn), reflected, 1.6f);
     }
   };
