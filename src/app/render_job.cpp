@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
 
@@ -15,7 +16,7 @@ bool RenderJob::update(const Products& products, UiState& ui) {
   if (std::exchange(ui.requests.startRender, false) && products.original.mesh) start(products, dialog);
   if (std::exchange(ui.requests.cancelRender, false)) {
     worker_.cancel();
-    dialog.message = "Cancelled.";
+    dialog.message = tr("Cancelled.");
   }
   if (std::exchange(ui.requests.saveRender, false) && image_) save(dialog.file);
   bool changed = false;
@@ -58,7 +59,7 @@ void RenderJob::start(const Products& products, const RenderDialog& dialog) {
 void RenderJob::save(const std::string& file) {
   worker_.request([file, image = image_, messages = messages_](const Progress&) {
     savePng(file, *image);
-    messages->put(fmt::format("{}: {} x {} pixels", file, image->width, image->height));
+    messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));
   });
 }
 

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/language.h"
+
 namespace anamorph {
 
 void EditJob::start(const Session& session, std::string name, Make make) {
@@ -36,7 +40,8 @@ std::optional<std::string> EditJob::update(Session& session) {
   started_.reset();
   if (!result->level) return result->message;
   if (!(session.level() == before))
-    return name_ + ": the level has been changed meanwhile, so nothing was done.";
+    return fmt::format(fmt::runtime(tr("{}: the level has been changed meanwhile, so nothing was done.")),
+                       name_);
   session.edit(std::move(*result->level));
   return result->message;
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
+
 namespace anamorph {
 namespace {
 
@@ -206,7 +208,7 @@ Level GizmoDrag::applyMove(Vector motion, double snap) {
       rounded += along * axis;
     }
     const double shown = along + 0.0;  // no -0
-    const char* separator = text_.empty() ? (frame.global() ? "" : "local ") : ", ";
+    const char* separator = text_.empty() ? (frame.global() ? "" : tr("local ")) : ", ";
     text_ += fmt::format("{}{} {:+.2f}", separator, axisNames[i], shown);
   }
   return moved(start_.level, start_.selection, snap > 0 ? rounded : motion);
@@ -215,9 +217,9 @@ Level GizmoDrag::applyMove(Vector motion, double snap) {
 Level GizmoDrag::applyTurn(double angle, double snap) {
   if (snap > 0) angle = toStep(angle, snap);
   const int axis = axisOf(handle_);
-  const char* about = axis < 3 ? axisNames[axis] : "the line of sight";
-  const char* local = axis < 3 && !start_.frame.global() ? "local " : "";
-  text_ = fmt::format("{:.1f}° about {}{}", degrees(angle) + 0.0, local, about);
+  const char* about = axis < 3 ? axisNames[axis] : tr("the line of sight");
+  const char* local = axis < 3 && !start_.frame.global() ? tr("local ") : "";
+  text_ = fmt::format(fmt::runtime(tr("{:.1f}° about {}{}")), degrees(angle) + 0.0, local, about);
   return rotated(start_.level, start_.selection, start_.frame.origin, handleAxis(), angle);
 }
 
@@ -231,8 +233,8 @@ Level GizmoDrag::applyScale(double factor, double snap) {
     factors[i] = factor;
     names += axisNames[i];
   }
-  text_ =
-      names.size() == 3 ? fmt::format("scale {:.2f}", factor) : fmt::format("scale {} {:.2f}", names, factor);
+  text_ = names.size() == 3 ? fmt::format(fmt::runtime(tr("scale {:.2f}")), factor)
+                            : fmt::format(fmt::runtime(tr("scale {} {:.2f}")), names, factor);
   return scaled(start_.level, start_.selection, start_.frame.origin, factors);
 }
 

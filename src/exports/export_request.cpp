@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/language.h"
 #include "exports/match_report_files.h"
 #include "exports/page_file.h"
 #include "exports/printable.h"
@@ -50,16 +51,15 @@ std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const 
   const double hidden = shareHiddenByPlate(finished, arrangement);
   if (hidden > hiddenWorthSaying) {
     warnings.push_back(
-        fmt::format("the base plate hides {:.1f} % of the reflection: it stands between the eye "
-                    "and the mirror, or between the mirror and the sculpture",
+        fmt::format(fmt::runtime(tr("the base plate hides {:.1f} % of the reflection: it stands between the "
+                                    "eye and the mirror, or between the mirror and the sculpture")),
                     100 * hidden));
   }
   const double below = arrangement.table - arrangement.plate->lowerFace;
   if (below > 1e-9 * arrangement.plate->thickness) {
-    warnings.push_back(
-        fmt::format("the base plate's lower face is {:.1f} mm below the table: raise the mirror "
-                    "and the eye by as much",
-                    below));
+    warnings.push_back(fmt::format(fmt::runtime(tr("the base plate's lower face is {:.1f} mm below the "
+                                                   "table: raise the mirror and the eye by as much")),
+                                   below));
   }
   return warnings;
 }
@@ -71,9 +71,10 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
   Mesh& mesh = arrangement.sculpture;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
-  summary.description = fmt::format("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm{}",
-                                    mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z,
-                                    arrangement.plate ? " with its base plate" : "");
+  summary.description =
+      fmt::format(fmt::runtime(tr("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm")),
+                  mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
+  if (arrangement.plate) summary.description += tr(" with its base plate");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
   file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
@@ -91,8 +92,9 @@ std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const Exp
   if (!progress.update(0.8)) return std::nullopt;
   const bool pdf = endingOf(request.path) == ".pdf";
   writeFile(request.path, encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg));
-  return ExportSummary{fmt::format("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
-                       findPlateWarnings(finished, arrangement)};
+  return ExportSummary{
+      fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
+      findPlateWarnings(finished, arrangement)};
 }
 
 std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
@@ -103,7 +105,7 @@ std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const Expo
                  : makePixelRayObj(finished, request.millimetresPerUnit, progress);
   if (!text || progress.cancelled()) return std::nullopt;
   writeFile(request.path, *text);
-  return ExportSummary{ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines", {}};
+  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
 }
 
 std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const ExportRequest& request,
@@ -111,11 +113,11 @@ std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const Exp
   const auto [width, height] = pictureSize(finished.level.camera, request.size);
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
   if (progress.cancelled()) return std::nullopt;
-  const std::string grade = matchGradeName(gradeOf(match.report));
+  const std::string grade = tr(matchGradeName(gradeOf(match.report)));
   if (endingOf(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
     writeFile(request.path, formatJson(matchJson(match.report, counts)));
-    return ExportSummary{"match report, " + grade, {}};
+    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
   }
   const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
   auto reflection =
@@ -126,7 +128,7 @@ std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const Exp
   writeFile(request.path,
             makeMatchPage(finished, match.report,
                           {std::move(*reflection), std::move(*original), std::move(difference)}));
-  return ExportSummary{"match report, " + grade, {}};
+  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
 }
 
 std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
@@ -141,7 +143,7 @@ std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const E
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
   savePng(request.path, *image);
-  return ExportSummary{fmt::format("{} x {} pixels", width, height), {}};
+  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height), {}};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
+
 namespace anamorph {
 namespace {
 
@@ -18,11 +20,11 @@ Mesh withoutFlatTriangles(Mesh mesh) {
 }
 
 std::string countOf(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
+  return fmt::format("{} {}", count, tr(count == 1 ? one : many));
 }
 
 std::string pairsOf(const SelfCrossings& crossings) {
-  return (crossings.more ? "more than " : "") + countOf(crossings.pairs, "pair", "pairs");
+  return (crossings.more ? tr("more than ") : "") + countOf(crossings.pairs, "pair", "pairs");
 }
 
 std::string placeOf(const Point& p) {
@@ -31,16 +33,14 @@ std::string placeOf(const Point& p) {
 
 std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
   std::string text = fmt::format(
-      "the surface is open: {} no neighbour, so no slicer can tell inside from "
-      "outside. ",
+      fmt::runtime(tr("the surface is open: {} no neighbour, so no slicer can tell inside from outside. ")),
       countOf(check.topology.borderEdges, "edge has", "edges have"));
   if (notMapped > 0) {
-    return text + fmt::format(
-                      "{} of the original did not reach the sculpture: move the original, the eye or "
-                      "the mirror until all are mapped",
-                      countOf(notMapped, "vertex", "vertices"));
+    return text + fmt::format(fmt::runtime(tr("{} of the original did not reach the sculpture: move the "
+                                              "original, the eye or the mirror until all are mapped")),
+                              countOf(notMapped, "vertex", "vertices"));
   }
-  return text + "The original itself is open: close its holes in a mesh editor";
+  return text + tr("The original itself is open: close its holes in a mesh editor");
 }
 
 }  // namespace
@@ -76,35 +76,34 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
   if (topology.borderEdges > 0) problems.push_back(openSentence(check, notMapped));
   if (topology.crowdedEdges > 0) {
     problems.push_back(
-        fmt::format("{} used by three or more triangles: the surface is doubled or branches "
-                    "there. Remove inner and double faces of the original in a mesh editor",
+        fmt::format(fmt::runtime(tr("{} used by three or more triangles: the surface is doubled or branches "
+                                    "there. Remove inner and double faces of the original in a mesh editor")),
                     countOf(topology.crowdedEdges, "edge is", "edges are")));
   }
   if (topology.turnedEdges > 0) {
-    problems.push_back(
-        fmt::format("the triangles on both sides of {} face different ways. Let a mesh editor "
-                    "recalculate the original's outside",
-                    countOf(topology.turnedEdges, "edge", "edges")));
+    problems.push_back(fmt::format(fmt::runtime(tr("the triangles on both sides of {} face different ways. "
+                                                   "Let a mesh editor recalculate the original's outside")),
+                                   countOf(topology.turnedEdges, "edge", "edges")));
   }
   if (topology.pinchedCorners > 0) {
     problems.push_back(
-        fmt::format("parts of the surface hang together in {} only, which breaks off. Move "
-                    "the original's parts apart or into each other",
+        fmt::format(fmt::runtime(tr("parts of the surface hang together in {} only, which breaks off. Move "
+                                    "the original's parts apart or into each other")),
                     countOf(topology.pinchedCorners, "point", "points")));
   }
   if (topology.inwardShells > 0) {
-    problems.push_back(
-        fmt::format("{} inside out. Let a mesh editor turn the original's faces around, unless "
-                    "a hollow is meant",
-                    countOf(topology.inwardShells, "closed part is", "closed parts are")));
+    problems.push_back(fmt::format(
+        fmt::runtime(tr(
+            "{} inside out. Let a mesh editor turn the original's faces around, unless a hollow is meant")),
+        countOf(topology.inwardShells, "closed part is", "closed parts are")));
   }
   if (check.crossings.pairs > 0) {
     const bool own = topology.shells > 1;
-    problems.push_back(fmt::format("the surface goes through itself: {} of triangles, the first near {}. {}",
-                                   pairsOf(check.crossings), placeOf(*check.crossings.example),
-                                   own ? "Slicers unite closed parts that overlap; what folds over within "
-                                         "one part may come out wrong"
-                                       : "Slicers may fill or leave out what lies between"));
+    problems.push_back(fmt::format(
+        fmt::runtime(tr("the surface goes through itself: {} of triangles, the first near {}. {}")),
+        pairsOf(check.crossings), placeOf(*check.crossings.example),
+        tr(own ? "Slicers unite closed parts that overlap; what folds over within one part may come out wrong"
+               : "Slicers may fill or leave out what lies between")));
   }
   return problems;
 }
@@ -112,11 +111,11 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
 std::vector<std::string> findPrintHints(const PrintCheck& check) {
   std::vector<std::string> hints;
   if (check.walls.samples > 0 && check.walls.firstPercentile < thinMillimetres) {
-    hints.push_back(
-        fmt::format("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} "
-                    "mm: most printers need {:g} mm. More millimetres per unit make it thicker",
-                    check.walls.firstPercentile, placeOf(check.walls.leastAt),
-                    std::max(check.walls.least, 0.01), thinMillimetres));
+    hints.push_back(fmt::format(
+        fmt::runtime(tr("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} mm: "
+                        "most printers need {:g} mm. More millimetres per unit make it thicker")),
+        check.walls.firstPercentile, placeOf(check.walls.leastAt), std::max(check.walls.least, 0.01),
+        thinMillimetres));
   }
   return hints;
 }
@@ -126,30 +125,34 @@ std::string formatPrintCheck(const PrintCheck& check) {
   const Vector size = check.box.empty() ? Vector(0) : check.box.size();
   std::string text;
   const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("{:<20}{}\n", name, value);
+    text += fmt::format("{:<20}{}\n", tr(name), value);
   };
   line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
-  line("triangles", fmt::format("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
-                                check.vertices, countOf(topology.shells, "part", "parts")));
+  line("triangles",
+       fmt::format(fmt::runtime(tr("{} ({} without area), {} vertices, {}")), check.triangles,
+                   check.flatTriangles, check.vertices, countOf(topology.shells, "part", "parts")));
   line("closed", topology.borderEdges == 0
-                     ? "yes"
-                     : fmt::format("no: {}", countOf(topology.borderEdges, "border edge", "border edges")));
+                     ? tr("yes")
+                     : fmt::format(fmt::runtime(tr("no: {}")),
+                                   countOf(topology.borderEdges, "border edge", "border edges")));
   const std::size_t faults = topology.crowdedEdges + topology.pinchedCorners;
   line("manifold", faults == 0
-                       ? "yes"
-                       : fmt::format("no: {}, {}",
+                       ? tr("yes")
+                       : fmt::format(fmt::runtime(tr("no: {}, {}")),
                                      countOf(topology.crowdedEdges, "edge of three or more triangles",
                                              "edges of three or more triangles"),
                                      countOf(topology.pinchedCorners, "pinched point", "pinched points")));
   line("faces outwards",
        topology.turnedEdges == 0 && topology.inwardShells == 0
-           ? (topology.borderEdges == 0 ? "yes" : "consistently, as far as it goes")
-           : fmt::format("no: {}, {}", countOf(topology.turnedEdges, "turned edge", "turned edges"),
+           ? tr(topology.borderEdges == 0 ? "yes" : "consistently, as far as it goes")
+           : fmt::format(fmt::runtime(tr("no: {}, {}")),
+                         countOf(topology.turnedEdges, "turned edge", "turned edges"),
                          countOf(topology.inwardShells, "part inside out", "parts inside out")));
-  line("self-intersections", check.crossings.pairs == 0 ? "none" : pairsOf(check.crossings));
+  line("self-intersections", check.crossings.pairs == 0 ? tr("none") : pairsOf(check.crossings));
   if (check.walls.samples > 0) {
-    line("walls", fmt::format("99 % thicker than {:.2f} mm; thinnest found {:.2f} mm near {}",
-                              check.walls.firstPercentile, check.walls.least, placeOf(check.walls.leastAt)));
+    line("walls",
+         fmt::format(fmt::runtime(tr("99 % thicker than {:.2f} mm; thinnest found {:.2f} mm near {}")),
+                     check.walls.firstPercentile, check.walls.least, placeOf(check.walls.leastAt)));
   }
   if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
   return text;

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/actions.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -10,7 +11,8 @@
 namespace anamorph {
 namespace {
 
-void row(const char* left, const char* right) {
+// Already in the chosen language: names of keys are left as they are.
+void plainRow(const char* left, const char* right) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(left);
@@ -18,6 +20,10 @@ void row(const char* left, const char* right) {
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(right);
   ImGui::PopTextWrapPos();
+}
+
+void row(const char* left, const char* right) {
+  plainRow(tr(left), tr(right));
 }
 
 bool beginRows(const UiState& ui, const char* id) {
@@ -47,8 +53,9 @@ void keyRows(const UiState& ui) {
   for (const ActionText& text : actionTexts()) {
     const std::string key = keyNameOf(text.action, ui.preferences.vrtKeys);
     if (key.empty()) continue;
-    const std::string what = *text.help != 0 ? std::string(text.name) + ": " + text.help : text.name;
-    row(key.c_str(), what.c_str());
+    std::string what = tr(text.name);
+    if (*text.help != 0) what += std::string(": ") + tr(text.help);
+    plainRow(key.c_str(), what.c_str());
   }
   ImGui::EndTable();
 }
@@ -75,7 +82,9 @@ void drawHelpWindow(Workspace&, UiState& ui) {
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(640 * s, display.x), std::min(620 * s, 0.9f * display.y)},
                            ImGuiCond_Appearing);
-  if (ImGui::Begin("Help", &ui.helpOpen, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  const std::string title = std::string(tr("Help")) + "###help";
+  if (ImGui::Begin(title.c_str(), &ui.helpOpen,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     mouseRows(ui);
     keyRows(ui);
     wordRows(ui);

@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -32,8 +34,9 @@ void drawLightProperties(Workspace& work, UiState& ui) {
   if (section(ui, "Lights")) {
     const int chosen = work.selection.part == Part::light ? work.selection.index : -1;
     for (int i = 0; i < static_cast<int>(level.lights.size()); ++i) {
-      const std::string name = "Light " + std::to_string(i + 1);
-      if (ImGui::Selectable(name.c_str(), i == chosen)) work.selection = {Part::light, i};
+      const std::string name = fmt::format(fmt::runtime(tr("Light {}")), i + 1);
+      const std::string label = fmt::format("{}###light{}", name, i);
+      if (ImGui::Selectable(label.c_str(), i == chosen)) work.selection = {Part::light, i};
     }
     if (wideButton("Add a light", "At most 8.", level.lights.size() < maxLights)) {
       level.lights.push_back({});

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
 #include "panels/style.h"
 
 namespace anamorph {
@@ -56,6 +57,13 @@ MatchScore matchScore(const Products& products) {
        "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
   };
   return score;
+}
+
+std::string scoreText(const MatchScore& score) {
+  const std::string match = matchGradeName(MatchGrade::match);
+  // A word of its own where a language has another one for the grade than for what is measured.
+  if (score.word == match) return fmt::format(fmt::runtime(tr("match {}  match")), score.percent);
+  return fmt::format(fmt::runtime(tr("match {}  {}")), score.percent, tr(score.word));
 }
 
 ImVec4 scoreColor(const MatchScore& score, Theme theme) {

@@ -30,6 +30,8 @@ struct MatchScore {
 };
 
 MatchScore matchScore(const Products& products);
+/// "match 99.95 %  excellent", in the chosen language.
+std::string scoreText(const MatchScore& score);
 ImVec4 scoreColor(const MatchScore& score, Theme theme);
 
 }  // namespace anamorph

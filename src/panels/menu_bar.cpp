@@ -126,7 +126,7 @@ void menus(Workspace& work, UiState& ui) {
 
 void rightEnd(Workspace& work, UiState& ui) {
   const MatchScore score = matchScore(work.studio.products());
-  const std::string text = std::string(tr("match")) + " " + score.percent + "  " + tr(score.word);
+  const std::string text = scoreText(score);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;
   const float redo = ImGui::CalcTextSize(tr("Redo")).x + 2 * style.FramePadding.x;

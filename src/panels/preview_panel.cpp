@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/match_score.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -106,7 +107,7 @@ void scoreBar(const UiState& ui, const MatchScore& score) {
   const float filled = width * static_cast<float>(std::clamp(score.share, 0.0, 1.0));
   if (filled > 1)
     list->AddRectFilled(p, {p.x + filled, p.y + height}, ImGui::ColorConvertFloat4ToU32(fill), rounding);
-  const std::string text = "match " + score.percent + "  " + score.word;
+  const std::string text = scoreText(score);
   list->AddText({p.x + ImGui::GetStyle().FramePadding.x, p.y + (height - ImGui::GetFontSize()) / 2},
                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   ImGui::Dummy({width, height});
@@ -132,7 +133,7 @@ void scoreParts(const UiState& ui, const MatchScore& score) {
 
 void sizeAndRender(Workspace& work, UiState& ui) {
   constexpr int sizes[] = {0, 64, 128, 256, 512, 1024};
-  const char* names[] = {"as the grid", "64 px", "128 px", "256 px", "512 px", "1024 px"};
+  const char* names[] = {tr("as the grid"), "64 px", "128 px", "256 px", "512 px", "1024 px"};
   int chosen =
       static_cast<int>(std::find(std::begin(sizes), std::end(sizes), work.preview.size) - std::begin(sizes));
   const float width = ImGui::GetContentRegionAvail().x;
@@ -140,10 +141,10 @@ void sizeAndRender(Workspace& work, UiState& ui) {
   if (ImGui::Combo("##size", &chosen, names, 6)) work.preview.size = sizes[std::clamp(chosen, 0, 5)];
   tooltip("The longer side of these pictures.");
   ImGui::SameLine();
-  if (ImGui::Button("Render image")) ui.render.open = true;
+  if (ImGui::Button(tr("Render image"))) ui.render.open = true;
   tooltip("A high-resolution picture, to zoom into and to save.");
   ImGui::SameLine();
-  if (ImGui::Button(work.preview.expanded ? "Smaller" : "Larger", {-FLT_MIN, 0}))
+  if (ImGui::Button(tr(work.preview.expanded ? "Smaller" : "Larger"), {-FLT_MIN, 0}))
     work.preview.expanded = !work.preview.expanded;
 }
 

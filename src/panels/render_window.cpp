@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "base/language.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -18,7 +19,7 @@ void settings(UiState& ui) {
   if (dialog.running) {
     ImGui::ProgressBar(static_cast<float>(dialog.share), {-80 * static_cast<float>(ui.scale), 0});
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {-FLT_MIN, 0})) ui.requests.cancelRender = true;
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelRender = true;
   } else if (wideButton("Render")) {
     ui.requests.startRender = true;
   }
@@ -67,7 +68,8 @@ void drawRenderWindow(Workspace&, UiState& ui) {
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(620 * s, display.x), std::min(720 * s, 0.94f * display.y)},
                            ImGuiCond_Appearing);
-  if (ImGui::Begin("Render image", &dialog.open,
+  const std::string title = std::string(tr("Render image")) + "###render";
+  if (ImGui::Begin(title.c_str(), &dialog.open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     settings(ui);
     const float below = 2 * ImGui::GetFrameHeightWithSpacing();
@@ -78,7 +80,7 @@ void drawRenderWindow(Workspace&, UiState& ui) {
     tooltip("The PNG file to write.");
     ImGui::SameLine();
     ImGui::BeginDisabled(ui.textures.render.id == 0 || dialog.running);
-    if (ImGui::Button("Save", {-FLT_MIN, 0})) ui.requests.saveRender = true;
+    if (ImGui::Button(tr("Save"), {-FLT_MIN, 0})) ui.requests.saveRender = true;
     ImGui::EndDisabled();
     quietText(ui, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
   }

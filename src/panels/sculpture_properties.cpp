@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/material_rows.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -65,8 +66,9 @@ void sizeRows(const Workspace& work) {
     textRow("Size", fmt::format("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
             "Of its box, scene units.");
   }
-  textRow("Mesh", fmt::format("{} vertices, {} triangles", mesh.positions.size(), mesh.triangles.size()));
-  textRow("Vertices", statusSentence(products.sculpture.sculpture->originalStatus),
+  textRow("Mesh", fmt::format(fmt::runtime(tr("{} vertices, {} triangles")), mesh.positions.size(),
+                              mesh.triangles.size()));
+  textRow("Vertices", shownStatus(products.sculpture.sculpture->originalStatus),
           "What became of the original's own vertices.");
 }
 

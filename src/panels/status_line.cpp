@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/language.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
@@ -11,17 +12,18 @@ namespace anamorph {
 namespace {
 
 std::string stateText(const Products& products) {
-  if (products.problem) return "no sculpture";
-  if (!products.sculpture.sculpture) return "loading";
-  if (!products.refined) return "following, not refined";
-  return products.complete ? "refined and matched" : "refined, matching";
+  if (products.problem) return tr("no sculpture");
+  if (!products.sculpture.sculpture) return tr("loading");
+  if (!products.refined) return tr("following, not refined");
+  return tr(products.complete ? "refined and matched" : "refined, matching");
 }
 
 std::string figures(const UiState& ui, const Products& products) {
   std::string text;
   if (products.sculpture.sculpture) {
     const Mesh& mesh = products.sculpture.sculpture->mesh;
-    text = fmt::format("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
+    text = fmt::format(fmt::runtime(tr("{} vertices  {} triangles")), mesh.positions.size(),
+                       mesh.triangles.size());
   }
   if (!ui.headless) text += fmt::format("   {:.0f} ms", ui.frameMilliseconds);
   return text;
@@ -32,7 +34,7 @@ void progress(Workspace& work, const UiState& ui) {
   ImGui::SameLine();
   ImGui::ProgressBar(static_cast<float>(work.studio.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
   ImGui::SameLine();
-  if (ImGui::SmallButton("Cancel")) work.studio.cancel();
+  if (ImGui::SmallButton(tr("Cancel"))) work.studio.cancel();
 }
 
 // An edit that is made in the background.
@@ -43,7 +45,9 @@ void jobProgress(Workspace& work, const UiState& ui) {
   ImGui::SameLine();
   ImGui::ProgressBar(static_cast<float>(work.job.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
   ImGui::SameLine();
-  if (ImGui::SmallButton("Cancel##job")) work.job.cancel();
+  ImGui::PushID("job");
+  if (ImGui::SmallButton(tr("Cancel"))) work.job.cancel();
+  ImGui::PopID();
 }
 
 }  // namespace

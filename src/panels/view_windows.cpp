@@ -50,7 +50,7 @@ void repairButtons(Workspace& work) {
   const Box box = products.original.mesh ? boundingBox(products.original.mesh->positions) : Box{};
   const Level outside = eyeMovedOutside(level, box);
   if (!(outside == level)) {
-    if (ImGui::Button("Move the eye outside the mirror")) work.session.edit(outside);
+    if (ImGui::Button(tr("Move the eye outside the mirror"))) work.session.edit(outside);
     ImGui::SameLine();
   } else if (!findShapeProblem(level.optic.shape)) {
     const Level behind = originalMovedBehind(level, box);
@@ -59,15 +59,15 @@ void repairButtons(Workspace& work) {
       if (fitted && ImGui::Button(tr("Fit to the mirror"))) work.session.edit(*fitted);
       if (fitted) ImGui::SameLine();
     } else if (!(behind == level)) {
-      if (ImGui::Button("Put the original behind the mirror")) work.session.edit(behind);
+      if (ImGui::Button(tr("Put the original behind the mirror"))) work.session.edit(behind);
       ImGui::SameLine();
     }
   }
   if (work.session.canUndo()) {
-    if (ImGui::Button("Undo")) work.session.undo();
+    if (ImGui::Button(tr("Undo"))) work.session.undo();
     ImGui::SameLine();
   }
-  if (ImGui::Button("Reset the level")) work.session.reset();
+  if (ImGui::Button(tr("Reset the level"))) work.session.reset();
 }
 
 void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
@@ -85,7 +85,7 @@ void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
   }
   ImGui::Dummy({width, height});
   ImGui::SameLine();
-  ImGui::TextUnformatted(name);
+  ImGui::TextUnformatted(tr(name));
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void drawProblem(Workspace& work, UiState& ui) {
   beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextColored(ink::bad(ui.preferences.theme), "There is no sculpture");
+    ImGui::TextColored(ink::bad(ui.preferences.theme), "%s", tr("There is no sculpture"));
   }
   ImGui::PushTextWrapPos(
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));

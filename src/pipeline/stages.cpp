@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
+
 namespace anamorph {
 namespace {
 
@@ -45,6 +47,20 @@ bool hasArea(const Sculpture& sculpture) {
                      [&](const Triangle& t) { return areaVector(sculpture.original, t) != Vector(0); });
 }
 
+// `in` gives the language.
+std::string statusIn(const StatusCounts& counts, const char* (*in)(const char* english)) {
+  std::size_t total = 0;
+  std::string rest;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    total += counts[i];
+    if (i == 0 || counts[i] == 0) continue;
+    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
+                        in(pathStatusName(static_cast<PathStatus>(i))));
+  }
+  const std::string mapped = fmt::format(fmt::runtime(in("{} of {} vertices mapped")), counts[0], total);
+  return rest.empty() ? mapped : mapped + " (" + rest + ")";
+}
+
 }  // namespace
 
 const char* explainStatus(PathStatus status) {
@@ -52,35 +68,37 @@ const char* explainStatus(PathStatus status) {
     case PathStatus::mapped:
       break;
     case PathStatus::missesMirror:
-      return "the ray from the eye through the vertex never meets the mirror. Make the mirror larger, or "
-             "move the "
-             "original to where the eye sees the mirror in front of it";
+      return tr(
+          "the ray from the eye through the vertex never meets the mirror. Make the mirror larger, or move "
+          "the original to where the eye sees the mirror in front of it");
     case PathStatus::inFrontOfMirror:
-      return "the vertex is between the eye and the mirror. Move the original behind the mirror, away from "
-             "the eye";
+      return tr(
+          "the vertex is between the eye and the mirror. Move the original behind the mirror, away from the "
+          "eye");
     case PathStatus::grazing:
-      return "the ray only grazes the mirror. Move the original towards the middle of the mirror";
+      return tr("the ray only grazes the mirror. Move the original towards the middle of the mirror");
     case PathStatus::hitsMirrorAgain:
-      return "the reflected ray meets the mirror a second time. Use the outside of the mirror, or a smaller "
-             "depth "
-             "scale";
+      return tr(
+          "the reflected ray meets the mirror a second time. Use the outside of the mirror, or a smaller "
+          "depth scale");
   }
-  return "nothing is wrong";
+  return tr("nothing is wrong");
 }
 
 std::optional<std::string> findProblem(const Level& level, const Mesh& original) {
   if (auto problem = findShapeProblem(level.optic.shape)) {
-    return fmt::format("the {} {} cannot be used: {}.", shapeName(level.optic.shape),
-                       surfaceName(level.optic), *problem);
+    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(level.optic.shape)),
+                       tr(surfaceName(level.optic)), *problem);
   }
   if (auto problem = findEyeProblem(level.optic.shape, level.camera.eye)) return problem;
   const Box box = boundingBox(original.positions);
   if (contains(box, level.camera.eye)) {
-    return "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
-           "the "
-           "original behind the mirror.";
+    return tr(
+        "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
+        "the original behind the mirror.");
   }
-  if (!isFinite(box.min) || !isFinite(box.max)) return "the original has coordinates that are not finite.";
+  if (!isFinite(box.min) || !isFinite(box.max))
+    return tr("the original has coordinates that are not finite.");
   return std::nullopt;
 }
 
@@ -91,22 +109,18 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
   for (const std::size_t count : counts) total += count;
   const auto worst = std::max_element(counts.begin() + 1, counts.end());
   if (*worst == 0)
-    return "no triangle of the original has an area, so there is nothing to see in the mirror.";
-  return fmt::format("no triangle of the original can be mapped. For {} of its {} vertices, {}.", *worst,
-                     total, explainStatus(static_cast<PathStatus>(worst - counts.begin())));
+    return tr("no triangle of the original has an area, so there is nothing to see in the mirror.");
+  return fmt::format(
+      fmt::runtime(tr("no triangle of the original can be mapped. For {} of its {} vertices, {}.")), *worst,
+      total, explainStatus(static_cast<PathStatus>(worst - counts.begin())));
 }
 
 std::string statusSentence(const StatusCounts& counts) {
-  std::size_t total = 0;
-  std::string rest;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    total += counts[i];
-    if (i == 0 || counts[i] == 0) continue;
-    rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
-                        pathStatusName(static_cast<PathStatus>(i)));
-  }
-  const std::string mapped = fmt::format("{} of {} vertices mapped", counts[0], total);
-  return rest.empty() ? mapped : mapped + " (" + rest + ")";
+  return statusIn(counts, [](const char* english) { return english; });
+}
+
+std::string shownStatus(const StatusCounts& counts) {
+  return statusIn(counts, [](const char* english) { return tr(english); });
 }
 
 std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture) {
@@ -114,22 +128,24 @@ std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculp
   const StatusCounts& counts = sculpture.originalStatus;
   if (std::any_of(counts.begin() + 1, counts.end(), [](std::size_t count) { return count > 0; })) {
     const bool ownVertices = level.sculpture.tolerancePixels == 0;
-    warnings.push_back(statusSentence(counts) + "; faces with an unmapped corner are left out" +
-                       (ownVertices ? ", their vertices keep the original's position" : ""));
+    const char* sentence =
+        ownVertices
+            ? "{}; faces with an unmapped corner are left out, their vertices keep the original's position"
+            : "{}; faces with an unmapped corner are left out";
+    warnings.push_back(fmt::format(fmt::runtime(tr(sentence)), shownStatus(counts)));
   }
   if (sculpture.budgetHit) {
-    warnings.push_back(
-        fmt::format("refinement stopped at the budget of {} triangles, where an edge is still {:.2g} px off; "
-                    "raise maxTriangles in "
-                    "the level, or the tolerance",
-                    level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
+    warnings.push_back(fmt::format(
+        fmt::runtime(tr("refinement stopped at the budget of {} triangles, where an edge is still {:.2g} px "
+                        "off; raise maxTriangles in the level, or the tolerance")),
+        level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
   }
   const double lowest = boundingBox(sculpture.mesh.positions).min.z;
   if (level.ground.visible && lowest < level.ground.height - 1e-9) {
-    warnings.push_back(
-        fmt::format("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
-                    "the original, change the depth scale, or hide the ground",
-                    level.ground.height - lowest));
+    warnings.push_back(fmt::format(
+        fmt::runtime(tr("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
+                        "the original, change the depth scale, or hide the ground")),
+        level.ground.height - lowest));
   }
   return warnings;
 }

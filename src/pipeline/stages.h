@@ -47,6 +47,8 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 
 /// "6100 of 6146 vertices mapped (46 missesMirror)"
 std::string statusSentence(const StatusCounts& counts);
+/// The same in the chosen language.
+std::string shownStatus(const StatusCounts& counts);
 
 /// What is worth knowing of a sculpture that is not empty: vertices that are not mapped, a budget that was
 /// hit, parts below the ground.

@@ -1,0 +1,388 @@
+// Whether everything that people read in the window has a translation: once by what stands in the source,
+// once by what is drawn.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "base/language.h"
+#include "edit/replacements.h"
+#include "level/json.h"
+#include "panels/dialog.h"
+#include "panels/file_browser.h"
+#include "panels_fixture.h"
+#include "pipeline/stages.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace anamorph::testing;
+
+const fs::path source = ANAMORPH_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file) << path;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> dutchKeys() {
+  const JsonValue json = parseJson(read(source / "assets/languages/nl.json"), "nl.json");
+  const auto texts = std::find(json.keys.begin(), json.keys.end(), "texts") - json.keys.begin();
+  return json.items.at(static_cast<std::size_t>(texts)).keys;
+}
+
+// Not to be translated: identities, endings, formats, words of files. One a line.
+std::set<std::string> untranslated() {
+  std::set<std::string> lines;
+  std::istringstream text(read(ANAMORPH_TEST_DATA "/untranslated.txt"));
+  for (std::string line; std::getline(text, line);) lines.insert(line);
+  return lines;
+}
+
+char unescaped(char c) {
+  return c == 'n' ? '\n' : c == 't' ? '\t' : c;
+}
+
+// The string literals of C++ source, those that stand side by side joined.
+std::vector<std::string> literalsOf(const std::string& code) {
+  std::vector<std::string> literals;
+  bool joins = false;  // nothing but blanks and comments since the last literal
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (code.compare(i, 2, "//") == 0 || (code[i] == '#' && (i == 0 || code[i - 1] == '\n'))) {
+      i = std::min(code.find('\n', i), code.size());
+    } else if (code[i] == '\'') {
+      for (++i; code[i] != '\''; ++i) i += code[i] == '\\';
+      joins = false;
+    } else if (code[i] == '"') {
+      if (!joins) literals.emplace_back();
+      for (++i; code[i] != '"'; ++i) {
+        literals.back() += code[i] == '\\' ? unescaped(code[i + 1]) : code[i];
+        i += code[i] == '\\';
+      }
+      joins = true;
+    } else if (std::isspace(static_cast<unsigned char>(code[i])) == 0) {
+      joins = false;
+    }
+  }
+  return literals;
+}
+
+bool isSmall(char c) {
+  return c >= 'a' && c <= 'z';
+}
+
+bool hasWord(const std::string& text) {
+  const auto both = [](char a, char b) { return isSmall(a) && isSmall(b); };
+  return std::adjacent_find(text.begin(), text.end(), both) != text.end();
+}
+
+std::vector<fs::path> filesThatSpeak() {
+  std::vector<fs::path> files;
+  for (const char* name : {"app/autosave.cpp", "app/desk.cpp", "app/export_job.cpp", "app/render_job.cpp",
+                           "app/window_files.cpp", "edit/construction.cpp", "edit/edit_job.cpp",
+                           "edit/gizmo_drag.cpp", "edit/level_files.cpp", "exports/export_request.cpp",
+                           "exports/print_check.cpp", "optics/mirror_problems.cpp", "pipeline/stages.cpp"}) {
+    files.push_back(source / "src" / name);
+  }
+  for (const auto& entry : fs::directory_iterator(source / "src/panels")) {
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path());
+  }
+  return files;
+}
+
+TEST(Literals, AreReadAsTheCompilerReadsThem) {
+  const std::string code =
+      "#include \"a.h\"\n"
+      "f(\"one \"\n  // between\n  \"two\", 'x', '\\'', '\"', \"t\\\"h\\\\ree\"); // \"no\"\ng(\"four\" "
+      "\"\");";
+  EXPECT_EQ(literalsOf(code), (std::vector<std::string>{"one two", "t\"h\\ree", "four"}));
+}
+
+TEST(DutchTexts, HaveEveryLiteralOfTheWindow) {
+  const std::vector<std::string> keys = dutchKeys();
+  std::set<std::string> known(keys.begin(), keys.end());
+  std::size_t found = 0;
+  for (const std::string& line : untranslated()) known.insert(line);
+  for (const fs::path& file : filesThatSpeak()) {
+    for (const std::string& text : literalsOf(read(file))) {
+      if (!hasWord(text) || text.starts_with("##")) continue;
+      ++found;
+      EXPECT_EQ(known.count(text), 1u) << file.filename() << ": \"" << text
+                                       << "\"\nis neither in assets/languages/nl.json nor in "
+                                          "tests/data/untranslated.txt";
+    }
+  }
+  EXPECT_GT(found, 400u);
+}
+
+TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
+  const std::vector<std::string> keys = dutchKeys();
+  const std::set<std::string> known(keys.begin(), keys.end());
+  std::vector<std::string> names;
+  for (int i = 0; i < 4; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
+  for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
+  for (const MirrorShape& shape :
+       {MirrorShape(PlaneMirror{}), MirrorShape(CylinderMirror{}), MirrorShape(SphereMirror{})}) {
+    names.emplace_back(shapeName(shape));
+  }
+  names.emplace_back(surfaceName({OpticKind::mirror, {}}));
+  names.emplace_back(surfaceName({OpticKind::none, {}}));
+  for (const std::string& name : names) EXPECT_EQ(known.count(name), 1u) << name;
+}
+
+// A language that is English in guillemets: what is drawn outside of them was not translated.
+class DrawnText : public PanelsTest {
+ protected:
+  DrawnText() {
+    for (const std::string& key : dutchKeys()) table_[key] = "«" + key + "»";
+    setLanguage(&table_);
+    ImGui::GetIO().DisplaySize = {3000, 4000};  // so that nothing is scrolled away or cut off
+    ui.preferences.leftWidth = 600;
+    ui.preferences.rightWidth = 900;
+  }
+  ~DrawnText() override { setLanguage(nullptr); }
+
+  // Draws a frame with everything unfolded and looks at its words.
+  void look(const std::string& where) {
+    frame();
+    unfold();
+    frame();
+    const std::string drawn = drawnText();
+    EXPECT_NE(drawn.find("«"), std::string::npos) << where;
+    for (const std::string& word : englishWordsIn(drawn)) ADD_FAILURE() << where << ": \"" << word << "\"";
+    seen_ += drawn;
+  }
+
+  bool hasSeen(const std::string& english) const {
+    return seen_.find("«" + english + "»") != std::string::npos;
+  }
+
+ private:
+  // The sections that are folded in the beginning.
+  void unfold() const {
+    for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+      if (std::string(window->Name).find("properties/rows") != 0) continue;
+      const int tab = static_cast<int>(ui.tab);
+      const ImGuiID rows = ImHashData(&tab, sizeof(tab), window->ID);
+      for (const char* section : {"Ray tracer", "Look", "Material", "Surroundings"}) {
+        window->StateStorage.SetInt(ImHashStr(section, 0, rows), 1);
+        window->StateStorage.SetInt(ImHashStr((std::string("###") + section).c_str(), 0, rows), 1);
+      }
+    }
+  }
+
+  // All letters of the frame, found by their place in the font's picture; a line break where the pen jumps.
+  static std::string drawnText() {
+    const ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+    std::map<std::pair<float, float>, const ImFontGlyph*> letters;
+    for (const ImFontGlyph& glyph : font.Glyphs) {
+      if (glyph.Visible != 0) letters[{glyph.U0, glyph.V0}] = &glyph;
+    }
+    std::string text;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+      const ImVector<ImDrawVert>& v = data.CmdLists[i]->VtxBuffer;
+      ImVec2 pen{-1000, -1000};
+      for (int k = 0; k + 3 < v.Size; ++k) {
+        const auto found = letters.find({v[k].uv.x, v[k].uv.y});
+        if (found == letters.end() || !(v[k + 2].uv.x > v[k].uv.x)) continue;
+        const ImFontGlyph& glyph = *found->second;
+        const float scale = (v[k + 2].pos.y - v[k].pos.y) / (glyph.Y1 - glyph.Y0);
+        const float x = v[k].pos.x - scale * glyph.X0, y = v[k].pos.y - scale * glyph.Y0;
+        const float gap = (x - pen.x) / scale, drop = std::abs(y - pen.y) / scale;
+        if (drop > 1 || gap < -2 || gap > 3 * glyph.AdvanceX) {
+          text += '\n';
+        } else if (gap > 2) {
+          text += ' ';
+        }
+        char bytes[5] = {};
+        ImTextCharToUtf8(bytes, glyph.Codepoint);
+        text += bytes;
+        pen = {x + scale * glyph.AdvanceX, y};
+        k += 3;
+      }
+    }
+    return text;
+  }
+
+  std::vector<std::string> englishWordsIn(const std::string& drawn) const {
+    std::vector<std::string> words;
+    std::string word;
+    int depth = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      const bool opens = drawn.compare(i, 2, "«") == 0, closes = drawn.compare(i, 2, "»") == 0;
+      if (std::isspace(static_cast<unsigned char>(drawn[i])) != 0 || opens || closes) {
+        if (hasWord(word) && !isNoText(word)) words.push_back(word);
+        word.clear();
+      } else if (depth == 0) {
+        word += drawn[i];
+      }
+      depth += opens - closes;
+      if (opens || closes) ++i;
+    }
+    return words;
+  }
+
+  // Units, keys, names of files and of languages.
+  bool isNoText(const std::string& word) const {
+    static const std::set<std::string> others{"px",    "mm",   "ms",   "Esc",  "Tab",  "Home",
+                                              "Space", "Page", "Down", "Left", "Right"};
+    if (others.count(word) != 0) return true;
+    for (const fs::path& part : ui.browser.folder) {
+      if (part == word) return true;
+    }
+    if (word.starts_with("Ctrl+") || word.starts_with("Shift+") || word.starts_with("Alt+")) return true;
+    return word.find('.') != std::string::npos || word.find('/') != std::string::npos ||
+           std::any_of(ui.languages.begin(), ui.languages.end(),
+                       [&](const LanguageChoice& language) { return language.name == word; });
+  }
+
+  TextTable table_;
+  std::string seen_;
+};
+
+TEST_F(DrawnText, OfTheLevelsIsTranslated) {
+  for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
+    open(entry.name);
+    look(entry.name);
+  }
+  EXPECT_TRUE(hasSeen("Levels"));
+}
+
+TEST_F(DrawnText, OfThePropertiesIsTranslated) {
+  open("2-cylinder");
+  ui.languages = {{"en", "English"}, {"nl", "Nederlands"}};
+  work.rays.source = RaySource::vertices;
+  work.rays.animate = true;
+  work.rays.lightRays = true;
+  work.preview.expanded = false;
+  for (int tab = 0; tab < 7; ++tab) {
+    openTab(work, ui, static_cast<PropertyTab>(tab));
+    if (tab == static_cast<int>(PropertyTab::sculpture)) work.point = PickedPoint{};
+    look("tab " + std::to_string(tab));
+  }
+  EXPECT_TRUE(hasSeen("Depth scale k"));
+  EXPECT_TRUE(hasSeen("Shininess")) << "what is folded is drawn, too";
+  work.selection = {Part::light, 0};
+  look("a light");
+  EXPECT_TRUE(hasSeen("Intensity"));
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    Level level = work.session.level();
+    level.optic.shape = mirrorOfKind(kind, level.optic.shape, level.camera.eye);
+    work.session.edit(std::move(level));
+    work.studio.finish(work.session, {});
+    openTab(work, ui, PropertyTab::mirror);
+    look("mirror " + std::to_string(kind));
+  }
+}
+
+TEST_F(DrawnText, OfProblemsIsTranslated) {
+  for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
+    open(name);
+    const Level before = work.session.level();
+    Level level = before;
+    level.camera.eye = std::visit(
+        [](const auto& mirror) {
+          if constexpr (requires { mirror.centre; }) return mirror.centre;
+          if constexpr (requires { mirror.top; }) return 0.5 * (mirror.top + mirror.bottom);
+          if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
+        },
+        level.optic.shape);
+    work.session.edit(level);
+    work.studio.finish(work.session, {});
+    openTab(work, ui, PropertyTab::eye);
+    look(std::string(name) + ", the eye in the mirror");
+    EXPECT_TRUE(hasSeen("There is no sculpture"));
+    level = before;
+    level.original.placement.position += Vector(0, 0, 40);
+    work.session.edit(level);
+    work.studio.finish(work.session, {});
+    openTab(work, ui, PropertyTab::original);
+    look(std::string(name) + ", the original far away");
+    level = before;
+    level.original.placement.scale *= 2.5;
+    work.session.edit(level);
+    work.studio.finish(work.session, {});
+    openTab(work, ui, PropertyTab::sculpture);
+    look(std::string(name) + ", the original too large");
+  }
+}
+
+TEST_F(DrawnText, OfTheWindowsIsTranslated) {
+  open("2-cylinder");
+  ui.helpOpen = true;
+  frame();
+  ImGui::SetWindowSize("###help", {900, 3000});
+  look("help");
+  EXPECT_TRUE(hasSeen("Words"));
+  ui.helpOpen = false;
+  ui.exporting.open = true;
+  for (int kind = 0; kind < 6; ++kind) {
+    ui.exporting.kind = kind;
+    look("export " + std::to_string(kind));
+  }
+  ui.exporting.open = false;
+  ui.render.open = true;
+  ui.render.file = "picture.png";
+  look("render");
+  ui.render.running = true;
+  look("rendering");
+  ui.render.open = false;
+  ui.progressOpen = true;
+  look("progress");
+  ui.progressOpen = false;
+  for (ui.tourCard = 0; ui.tourCard < 5; ++ui.tourCard) look("tour " + std::to_string(ui.tourCard));
+  ui.tourCard = -1;
+  ui.presenting = true;
+  look("presenting");
+}
+
+TEST_F(DrawnText, OfTheDialogsIsTranslated) {
+  open("2-cylinder");
+  const fs::path folder = fs::path(ANAMORPH_TEST_DATA) / "levels";
+  for (int purpose = 0; purpose < 8; ++purpose) {
+    ui.browser.root = folder;
+    browseFiles(ui, static_cast<FilePurpose>(purpose), folder / "file.json");
+    frames(2);
+    look("browser " + std::to_string(purpose));
+  }
+  ui.browser = {};
+  frames(2);
+  ui.unsaved = UnsavedQuestion{};
+  look("unsaved");
+  ui.unsaved.reset();
+  frames(2);
+  ui.recoveries = {RecoveryEntry{}};
+  look("recovery");
+}
+
+// All menus, opened by the mouse.
+TEST_F(DrawnText, OfTheMenusIsTranslated) {
+  open("2-cylinder");
+  frames(2);
+  const float y = ui.layout.menu.y + ui.layout.menu.height / 2;
+  click(ui.layout.menu.x + 20, y);
+  for (float x = 20; x < 420; x += 20) {
+    moveMouse(x, y);
+    frames(2);
+    look("menus at " + std::to_string(static_cast<int>(x)));
+  }
+  for (const char* item : {"Quit", "Own axes", "Full screen", "Next level", "Show me around"}) {
+    EXPECT_TRUE(hasSeen(item)) << item;
+  }
+}
+
+}  // namespace
+}  // namespace anamorph
