@@ -14,6 +14,9 @@ WindowFiles::WindowFiles(std::filesystem::path folder, Desk& desk)
     : folder_(std::move(folder)), desk_(desk), autosave_(folder_), rescued_(findRescued(folder_)) {
   UiState& ui = desk_.ui();
   for (const Rescued& rescued : rescued_) ui.recoveries.push_back(rescued.entry);
+  while (ui.recoverySelected + 1 < rescued_.size() && !rescued_[ui.recoverySelected].entry.problem.empty()) {
+    ++ui.recoverySelected;
+  }
   loadRecent(folder_, ui);
   keptLevels_ = ui.recentLevels;
   keptFolders_ = ui.recentFolders;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "base/language.h"
 #include "panels/actions.h"
@@ -50,6 +51,10 @@ bool beginDialog(const UiState& ui, const char* title, float width, float height
                                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar(2);
   if (shown) {
+    // Windows that appear while it is open would cover it; only its own lists may.
+    if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy)) {
+      ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+    }
     const FontScope strong(ui.fonts.strong);
     ImGui::TextUnformatted(tr(title));
   }

@@ -8,6 +8,7 @@
 #include "panels/actions.h"
 #include "panels/dialog.h"
 #include "panels/style.h"
+#include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
@@ -34,6 +35,7 @@ void entryRow(UiState& ui, std::size_t index) {
   } else {
     ImGui::TextColored(ink::bad(ui.preferences.theme), "%s", entry.problem.c_str());
   }
+  tooltip(entry.problem.c_str());
   ImGui::SetCursorPos(after);
   ImGui::PopID();
 }
@@ -53,10 +55,13 @@ void drawRecoveryDialog(UiState& ui) {
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(tr("Anamorph ended before this was saved. It is as it was a short time before:"));
   ImGui::PopTextWrapPos();
-  const std::size_t rows = std::min<std::size_t>(ui.recoveries.size(), 4);
-  const float height = static_cast<float>(rows) *
-                           (2 * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y) +
-                       ImGui::GetStyle().ItemSpacing.y;
+  // As many as there are, at most four, and no more than leave room for the buttons.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float row = 2 * ImGui::GetTextLineHeightWithSpacing() + style.ItemSpacing.y;
+  const float room = 0.97f * ImGui::GetIO().DisplaySize.y - ImGui::GetCursorPosY() -
+                     ImGui::GetFrameHeightWithSpacing() - style.WindowPadding.y;
+  const float height =
+      std::clamp(room, 0.5f * row, row * static_cast<float>(std::min<std::size_t>(ui.recoveries.size(), 4)));
   ImGui::BeginChild("entries", {0, height});
   for (std::size_t i = 0; i < ui.recoveries.size(); ++i) entryRow(ui, i);
   ImGui::EndChild();
