@@ -4,8 +4,10 @@
 
 #include "base/language.h"
 #include "panels/actions.h"
+#include "panels/figures.h"
 #include "panels/panels.h"
 #include "panels/style.h"
+#include "panels/view_windows.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
@@ -51,8 +53,12 @@ void mouseRows(const UiState& ui) {
 void keyRows(const UiState& ui) {
   if (!section(ui, "Keys") || !beginRows(ui, "keys")) return;
   for (const ActionText& text : actionTexts()) {
-    const std::string key = keyNameOf(text.action, ui.preferences.vrtKeys);
-    if (key.empty()) continue;
+    std::string key;
+    for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {
+      // A key of the number pad has its digit's name.
+      if (shortcut.action != text.action || key == shortcut.keyName) continue;
+      key += (key.empty() ? "" : ", ") + std::string(shortcut.keyName);
+    }
     std::string what = tr(text.name);
     if (*text.help != 0) what += std::string(": ") + tr(text.help);
     plainRow(key.c_str(), what.c_str());
@@ -60,8 +66,14 @@ void keyRows(const UiState& ui) {
   ImGui::EndTable();
 }
 
+void lineRows(const UiState& ui) {
+  if (section(ui, "Lines")) drawAllLegendLines(ui);
+}
+
 void wordRows(const UiState& ui) {
-  if (!section(ui, "Words") || !beginRows(ui, "words")) return;
+  if (!section(ui, "Words")) return;
+  drawFigure("construction", ui);
+  if (!beginRows(ui, "words")) return;
   row("eye E", "The viewer's point, where the RT camera is");
   row("original, P", "The object that is to be seen, and a vertex of it");
   row("mirror, Q, N", "Where the ray from E to P meets the mirror, and the normal there");
@@ -87,6 +99,7 @@ void drawHelpWindow(Workspace&, UiState& ui) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
     mouseRows(ui);
     keyRows(ui);
+    lineRows(ui);
     wordRows(ui);
   }
   ImGui::End();

@@ -70,7 +70,21 @@ void repairButtons(Workspace& work) {
   if (ImGui::Button(tr("Reset the level"))) work.session.reset();
 }
 
-void legendLine(const UiState& ui, const char* name, ImU32 color, int dash) {
+struct LegendLine {
+  const char* name;
+  ImU32 color;
+  int dash;  // 0: a whole line, 1: dashes, 2: dots
+};
+enum { fromEye, reflectedRay, normalLine, toLight, inShadow, meetsNothing };
+constexpr LegendLine legendLines[] = {{"from the eye", IM_COL32(0x00, 0x72, 0xB2, 255), 0},
+                                      {"reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1},
+                                      {"normal", IM_COL32(0x00, 0x9E, 0x73, 255), 2},
+                                      {"to a light", IM_COL32(0xF0, 0xE4, 0x42, 255), 2},
+                                      {"in shadow", IM_COL32(0x77, 0x77, 0x77, 255), 2},
+                                      {"meets nothing", IM_COL32(0x99, 0x99, 0x99, 255), 0}};
+
+void legendLine(const UiState& ui, const LegendLine& kind) {
+  const auto& [name, color, dash] = kind;
   const float width = scaled(ui, 34), height = ImGui::GetTextLineHeight();
   const ImVec2 p = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -119,16 +133,19 @@ void drawProblem(Workspace& work, UiState& ui) {
 void drawLegend(const Workspace& work, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
-  legendLine(ui, "from the eye", IM_COL32(0x00, 0x72, 0xB2, 255), 0);
-  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
-  if (reflects) legendLine(ui, "reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1);
-  if (work.point) legendLine(ui, "normal", IM_COL32(0x00, 0x9E, 0x73, 255), 2);
+  legendLine(ui, legendLines[fromEye]);
+  if (work.session.level().optic.kind == OpticKind::mirror) legendLine(ui, legendLines[reflectedRay]);
+  if (work.point) legendLine(ui, legendLines[normalLine]);
   if (work.rays.lightRays) {
-    legendLine(ui, "to a light", IM_COL32(0xF0, 0xE4, 0x42, 255), 2);
-    legendLine(ui, "in shadow", IM_COL32(0x77, 0x77, 0x77, 255), 2);
+    legendLine(ui, legendLines[toLight]);
+    legendLine(ui, legendLines[inShadow]);
   }
-  if (!work.rays.hideNoHit) legendLine(ui, "meets nothing", IM_COL32(0x99, 0x99, 0x99, 255), 0);
+  if (!work.rays.hideNoHit) legendLine(ui, legendLines[meetsNothing]);
   ImGui::End();
+}
+
+void drawAllLegendLines(const UiState& ui) {
+  for (const LegendLine& line : legendLines) legendLine(ui, line);
 }
 
 }  // namespace anamorph

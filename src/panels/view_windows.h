@@ -10,5 +10,7 @@ void drawViewButtons(Workspace& work, UiState& ui);
 /// Nothing when all is well.
 void drawProblem(Workspace& work, UiState& ui);
 void drawLegend(const Workspace& work, const UiState& ui);
+/// All kinds of lines with their names, for the help.
+void drawAllLegendLines(const UiState& ui);
 
 }  // namespace anamorph
