@@ -93,11 +93,14 @@ TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
   // None of these comes as far as a window.
   for (const char* arguments :
        {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5", "1 --theme pink", "open --ui-scale 9",
-        "1 --ui-scale nan", "1-plane 2-cylinder", "open 1 2"}) {
+        "1 --ui-scale nan", "open 1 a.obj b.obj"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
   }
+  const Result noMesh = run("1-plane 2-cylinder");
+  EXPECT_EQ(noMesh.exitCode, 1);
+  EXPECT_THAT(noMesh.err, HasSubstr("2-cylinder: expected a file name that ends in .obj, .stl or .ply"));
   const Result nothing = run("open nothing");
   EXPECT_EQ(nothing.exitCode, 1);
   EXPECT_THAT(nothing.err,
