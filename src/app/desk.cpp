@@ -66,6 +66,7 @@ Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
     : context_(ImGui::CreateContext()),
       work_(std::make_unique<Workspace>(wake, threads)),
       renderJob_(std::make_unique<RenderJob>(wake)),
+      exportJob_(std::make_unique<ExportJob>(wake)),
       software_(isSoftwareRenderer()),
       governor_(software_) {
   ImGuiIO& io = ImGui::GetIO();
@@ -130,7 +131,7 @@ void Desk::refreshLanguage() {
 
 void Desk::refreshStyle() {
   const Preferences& p = ui_.preferences;
-  ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
+  ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme) * shotFactor_;
   const bool asBefore =
       ui_.scale == styleScale_ && p.theme == styleTheme_ && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
@@ -203,6 +204,7 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
     work_->animationPaused = true;
   }
   renderJob_->update(work_->studio.products(), ui_);
+  exportJob_->update(*work_, ui_);
   drawView(seconds, forced);
   refreshTextures();
   drawViewOverlay(*work_, ui_);
