@@ -7,7 +7,7 @@ namespace anamorph {
 namespace {
 
 // Those of level/level_fields.h.
-constexpr double maxCoordinate = 1e6, maxLength = 1e6;
+constexpr double maxCoordinate = 1e6, minLength = 1e-6, maxLength = 1e6;
 constexpr double minDepthScale = 0.01, maxDepthScale = 100;
 
 using Axes = std::array<Direction, 3>;
@@ -77,7 +77,7 @@ double strongest(double a, double b) {
 }
 
 double scaledLength(double length, double factor) {
-  return std::min(length * factor, maxLength);
+  return std::clamp(length * factor, minLength, maxLength);
 }
 
 void scaleSize(PlaneMirror&, const Vector&) {}
@@ -298,7 +298,7 @@ Level scaled(const Level& level, const Selection& selection, const Point& origin
     result.sculpture.depthScale = std::clamp(level.sculpture.depthScale * f.x, minDepthScale, maxDepthScale);
   } else if (selection.part == Part::original) {
     Placement& placement = result.original.placement;
-    placement.scale = glm::min(placement.scale * f, Vector(maxLength));
+    placement.scale = glm::clamp(placement.scale * f, Vector(minLength), Vector(maxLength));
     placement.position = clampedPoint(map(placement.position));
   } else {
     std::visit(

@@ -9,8 +9,9 @@
 //   light    x      -                      -
 //   sculpture -     -                      its depth scale, uniformly
 //
-// Coordinates stay within those a level file can have. Sizes may reach exactly 0, which the app then
-// explains; what is not allowed, or not finite, changes nothing.
+// Coordinates and sizes stay within those a level file can have, so that whatever was dragged can be saved:
+// scaled to nothing is scaled to 1e-6, which the app then explains. What is not allowed, or not finite,
+// changes nothing.
 #pragma once
 
 #include <array>

@@ -154,14 +154,15 @@ TEST(GizmoDrag, ScalesByTheShareOfTheDistance) {
   const auto scale = [&](const Level& edited) { return edited.original.placement.scale; };
   EXPECT_LT(glm::length(scale(drag.levelAt(pixelOf(2.5, 0))) - Vector(2.5, 1, 1)), 1e-9);
   EXPECT_EQ(drag.text(), "scale x 2.50");
-  EXPECT_EQ(scale(drag.levelAt(pixelOf(-1, 0))), Vector(0, 1, 1)) << "beyond the origin it stays 0";
+  EXPECT_EQ(scale(drag.levelAt(pixelOf(-1, 0))), Vector(1e-6, 1, 1))
+      << "beyond the origin it stays as small as a file can hold";
   EXPECT_LT(glm::length(scale(drag.levelAt(pixelOf(2.52, 0), {.snap = true})) - Vector(2.5, 1, 1)), 1e-9);
   start.handle = GizmoHandle::zx;
   start.pixel = pixelOf(1, 1);
   EXPECT_LT(glm::length(scale(GizmoDrag(start).levelAt(pixelOf(0.5, 0.5))) - Vector(0.5, 1, 0.5)), 1e-9);
   start.handle = GizmoHandle::all;
   EXPECT_EQ(scale(GizmoDrag(start).levelAt(start.pixel + Pixel(45, -45))), Vector(2));
-  EXPECT_EQ(scale(GizmoDrag(start).levelAt(start.pixel + Pixel(-300, 0))), Vector(0));
+  EXPECT_EQ(scale(GizmoDrag(start).levelAt(start.pixel + Pixel(-300, 0))), Vector(1e-6));
 }
 
 TEST(GizmoDrag, SnapsPositionsToTheGridAndWaysToSteps) {
