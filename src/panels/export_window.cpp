@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/folder.h"
 #include "base/language.h"
 #include "panels/file_browser.h"
 #include "panels/panels.h"
@@ -125,6 +126,12 @@ std::string proposedName(const Workspace& work, const ExportDialog& dialog) {
   return (level.empty() ? "" : level + "-") + names[dialog.kind];
 }
 
+// Where the last export went, else where the last level came from, else home.
+std::filesystem::path proposedFolder(const UiState& ui) {
+  if (!ui.exporting.folder.empty()) return ui.exporting.folder;
+  return ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
+}
+
 // The browser's choice: the file is written at once.
 void takeChoice(UiState& ui) {
   ExportDialog& dialog = ui.exporting;
@@ -161,7 +168,7 @@ void drawButtons(const Workspace& work, UiState& ui) {
   }
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
-    browseFiles(ui, purposeOf(dialog), dialog.folder / proposedName(work, dialog));
+    browseFiles(ui, purposeOf(dialog), proposedFolder(ui) / proposedName(work, dialog));
   }
 }
 
