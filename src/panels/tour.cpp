@@ -46,6 +46,7 @@ void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
                    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImDrawList* list = ImGui::GetWindowDrawList();
+  list->PushClipRectFullScreen();
   const ImU32 dim = IM_COL32(0, 0, 0, 120);
   list->AddRectFilled({0, 0}, {display.x, r.y}, dim);
   list->AddRectFilled({0, r.y + r.height}, display, dim);
@@ -54,6 +55,7 @@ void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   list->AddRect({r.x + s, r.y + s}, {r.x + r.width - s, r.y + r.height - s}, IM_COL32(255, 120, 0, 255),
                 3 * s, 0, 3 * s);
+  list->PopClipRect();
   ImGui::End();
 }
 
