@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder.h"
 #include "base/language.h"
 #include "level/json_object.h"
 #include "level/level_json.h"
@@ -27,11 +28,7 @@ namespace fs = std::filesystem;
 
 const JsonValue& member(const JsonValue& object, const std::string& key, JsonValue::Kind kind,
                         const std::string& file) {
-  const auto at = std::find(object.keys.begin(), object.keys.end(), key);
-  if (at != object.keys.end()) {
-    const JsonValue& value = object.items[static_cast<std::size_t>(at - object.keys.begin())];
-    if (value.kind == kind) return value;
-  }
+  if (const JsonValue* value = findMember(object, key); value && value->kind == kind) return *value;
   throw Error("expected an unsaved level, got something else", file, "/" + key);
 }
 
@@ -185,15 +182,14 @@ Autosave::~Autosave() {
 // A name that no other window has, living or dead.
 void Autosave::takeSlot() {
   if (lock_.held()) return;
-  std::error_code failure;
-  fs::create_directories(folder_, failure);
-  if (failure) throw Error("cannot make the folder: " + failure.message(), folder_.string());
+  makeFolder(folder_);
   removeLeftTemporaries(folder_);
+  std::error_code ignored;
   for (int i = 0; i < 100; ++i) {
     const std::string number = i == 0 ? "" : fmt::format("-{}", i);
     const fs::path file = folder_ / fmt::format("recovery-{}{}.json", ::getpid(), number);
     FileLock lock(lockOf(file));
-    if (!lock.held() || fs::exists(file, failure)) continue;
+    if (!lock.held() || fs::exists(file, ignored)) continue;
     lock_ = std::move(lock);
     file_ = file;
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -20,13 +21,10 @@ fs::path languageFolder() {
 
 const JsonValue& member(const JsonValue& object, const char* key, JsonValue::Kind kind, const char* kindName,
                         const fs::path& file) {
-  for (std::size_t i = 0; i < object.keys.size(); ++i) {
-    if (object.keys[i] != key) continue;
-    if (object.items[i].kind == kind) return object.items[i];
-    throw Error(std::string("expected ") + kindName + ", got " + describeJson(object.items[i]), file.string(),
-                joinJsonPath("", key));
-  }
-  throw Error(std::string("expected ") + kindName + ", got nothing", file.string(), joinJsonPath("", key));
+  const JsonValue* value = findMember(object, key);
+  if (value && value->kind == kind) return *value;
+  throw Error(std::string("expected ") + kindName + ", got " + (value ? describeJson(*value) : "nothing"),
+              file.string(), joinJsonPath("", key));
 }
 
 // The places that values are put into: "{} of {:.1f}" has two. In order, because values are.
@@ -48,12 +46,19 @@ std::string systemLanguage() {
   return "en";
 }
 
+// A language's file, read once.
+struct KeptLanguage {
+  std::string name;
+  TextTable texts;
+};
+
 // Kept for ever, as setLanguage() wants it.
-const TextTable* keptTexts(const std::string& code) {
-  static std::map<std::string, TextTable> kept;
-  const auto found = kept.find(code);
-  if (found != kept.end()) return &found->second;
-  return &(kept[code] = loadTexts(languageFolder() / (code + ".json")));
+const KeptLanguage& keptLanguage(const std::string& code) {
+  static std::map<std::string, KeptLanguage> kept;
+  if (const auto found = kept.find(code); found != kept.end()) return found->second;
+  KeptLanguage language;
+  language.texts = loadTexts(languageFolder() / (code + ".json"), &language.name);
+  return kept[code] = std::move(language);
 }
 
 }  // namespace
@@ -90,9 +95,8 @@ std::vector<LanguageChoice> listLanguages() {
        entry.increment(problem)) {
     if (entry->path().extension() != ".json") continue;
     try {
-      LanguageChoice language{entry->path().stem().string(), {}};
-      loadTexts(entry->path(), &language.name);
-      languages.push_back(language);
+      const std::string code = entry->path().stem().string();
+      languages.push_back({code, keptLanguage(code).name});
     } catch (const Error&) {
       // A broken file costs its own language only; choosing it says what is wrong.
     }
@@ -110,7 +114,7 @@ void chooseLanguage(const std::string& code) {
     std::error_code ignored;
     if (!fs::exists(languageFolder() / (wanted + ".json"), ignored)) wanted = "en";
   }
-  setLanguage(wanted == "en" ? nullptr : keptTexts(wanted));
+  setLanguage(wanted == "en" ? nullptr : &keptLanguage(wanted).texts);
 }
 
 }  // namespace anamorph

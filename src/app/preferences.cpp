@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder.h"
 #include "level/json_object.h"
 
 namespace anamorph {
@@ -18,20 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> themeNames{"dark", "light", "projector"};
 
-const JsonValue* find(const JsonValue& object, const std::string& key) {
-  for (std::size_t i = 0; i < object.keys.size(); ++i) {
-    if (object.keys[i] == key) return &object.items[i];
-  }
-  return nullptr;
-}
-
 void read(const JsonValue& object, const char* key, double& value, double min, double max) {
-  const JsonValue* found = find(object, key);
+  const JsonValue* found = findMember(object, key);
   if (found && found->kind == JsonValue::Kind::number) value = std::clamp(found->number, min, max);
 }
 
 void read(const JsonValue& object, const char* key, bool& value) {
-  const JsonValue* found = find(object, key);
+  const JsonValue* found = findMember(object, key);
   if (found && found->kind == JsonValue::Kind::boolean) value = found->text == "true";
 }
 
@@ -51,7 +45,7 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   if (!fs::exists(path, ignored)) return p;
   try {
     const JsonValue json = parseJson(readFile(path, std::size_t{1} << 20).view(), path.string());
-    if (const JsonValue* theme = find(json, "theme"); theme && theme->kind == JsonValue::Kind::string) {
+    if (const JsonValue* theme = findMember(json, "theme"); theme && theme->kind == JsonValue::Kind::string) {
       const auto found = findTheme(theme->text);
       if (!found) {
         message = fmt::format("{}: /theme: expected dark, light or projector, got {}", path.string(),
@@ -59,7 +53,7 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
       }
       p.theme = found.value_or(p.theme);
     }
-    if (const JsonValue* language = find(json, "language");
+    if (const JsonValue* language = findMember(json, "language");
         language && language->kind == JsonValue::Kind::string) {
       p.language = language->text;
     }
@@ -78,9 +72,7 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
 }
 
 void savePreferences(const fs::path& path, const Preferences& p) {
-  std::error_code failure;
-  fs::create_directories(path.parent_path(), failure);
-  if (failure) throw Error("cannot make the folder: " + failure.message(), path.parent_path().string());
+  makeFolder(path.parent_path());
   writeFile(path, formatJson(JsonObject()
                                  .add("theme", std::string(themeName(p.theme)))
                                  .add("language", p.language)

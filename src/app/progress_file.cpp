@@ -1,6 +1,5 @@
 #include "app/progress_file.h"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include "app/state_folder.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder.h"
 #include "level/json_object.h"
 
 namespace anamorph {
@@ -16,20 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = JsonValue::Kind;
 
-const JsonValue* find(const JsonValue& object, const char* key) {
-  const auto found = std::find(object.keys.begin(), object.keys.end(), key);
-  return found == object.keys.end() ? nullptr
-                                    : &object.items[static_cast<std::size_t>(found - object.keys.begin())];
-}
-
 LessonProgress parse(const JsonValue& json, const std::string& file) {
   const auto expect = [&](bool holds, const std::string& where, const char* what, const JsonValue* got) {
     if (holds) return;
     throw Error(fmt::format("expected {}, got {}", what, got ? describeJson(*got) : "nothing"), file, where);
   };
-  const JsonValue* format = find(json, "format");
+  const JsonValue* format = findMember(json, "format");
   expect(format && format->text == "anamorph-progress", "/format", "\"anamorph-progress\"", format);
-  const JsonValue* lessons = find(json, "lessons");
+  const JsonValue* lessons = findMember(json, "lessons");
   expect(lessons && lessons->kind == Kind::object, "/lessons", "an object", lessons);
   LessonProgress progress;
   for (std::size_t i = 0; i < lessons->keys.size(); ++i) {
@@ -62,9 +56,7 @@ LessonProgress loadProgress(const fs::path& path, std::string& message) {
 }
 
 void saveProgress(const fs::path& path, const LessonProgress& progress) {
-  std::error_code failure;
-  fs::create_directories(path.parent_path(), failure);
-  if (failure) throw Error("cannot make the folder: " + failure.message(), path.parent_path().string());
+  makeFolder(path.parent_path());
   JsonObject lessons;
   for (const auto& [lesson, steps] : progress) {
     JsonValue list{Kind::array, {}, 0, {}, {}};

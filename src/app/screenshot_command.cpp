@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -64,12 +65,9 @@ void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
                                                  {"original", Part::original},
                                                  {"mirror", Part::mirror},
                                                  {"sculpture", Part::sculpture}};
-  static const std::map<std::string, PreviewTab> tabs{{"reflection", PreviewTab::reflection},
-                                                      {"original", PreviewTab::original},
-                                                      {"difference", PreviewTab::difference},
-                                                      {"wipe", PreviewTab::wipe}};
   if (!options.select.empty()) work.selection = {parts.at(options.select), 0};
-  if (!options.tab.empty()) work.preview.tab = tabs.at(options.tab);
+  const auto tab = std::find(previewTabs.begin(), previewTabs.end(), options.tab);
+  if (tab != previewTabs.end()) work.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
   if (!options.pixel.empty()) work.cell = parseCell(options.pixel, work.session.level().camera);
   work.display.morph = options.morph;
   ui.panelsHidden = options.noPanels;
@@ -143,7 +141,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--select-vertex", options->vertex,
                       "The original's vertex whose construction is shown");
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
-      ->check(CLI::IsMember({"reflection", "original", "difference", "wipe"}));
+      ->check(CLI::IsMember(std::vector<std::string>(previewTabs.begin(), previewTabs.end())));
   command->add_option("--step", options->step, "The step of the lesson that is open, from 1 on")
       ->check(numberFrom(1, 100));
   command->add_flag("--show-me", options->showMe, "After the move that the step shows");

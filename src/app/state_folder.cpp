@@ -20,9 +20,9 @@ fs::path recentFile(const fs::path& folder) {
 
 // Behind those that are there already.
 void append(const JsonValue& json, const std::string& key, Paths& paths, std::size_t most) {
-  const auto at = std::find(json.keys.begin(), json.keys.end(), key);
-  if (at == json.keys.end()) return;
-  for (const JsonValue& item : json.items[static_cast<std::size_t>(at - json.keys.begin())].items) {
+  const JsonValue* list = findMember(json, key);
+  if (!list) return;
+  for (const JsonValue& item : list->items) {
     const bool usable = item.kind == JsonValue::Kind::string && fs::path(item.text).is_absolute();
     const bool known = std::find(paths.begin(), paths.end(), item.text) != paths.end();
     if (usable && !known && paths.size() < most) paths.emplace_back(item.text);
@@ -59,9 +59,7 @@ void loadRecent(const fs::path& folder, UiState& ui) {
 
 void saveRecent(const fs::path& folder, UiState& ui) {
   loadRecent(folder, ui);
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
+  makeFolder(folder);
   writeFile(recentFile(folder), formatJson(JsonObject()
                                                .add("levels", listOf(ui.recentLevels))
                                                .add("folders", listOf(ui.recentFolders))

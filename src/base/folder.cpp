@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "base/error.h"
+
 namespace anamorph {
 namespace {
 
@@ -57,6 +59,12 @@ FolderListing listFolder(const fs::path& folder) {
     return a.isFolder != b.isFolder ? a.isFolder : comesBefore(a.name, b.name);
   });
   return listing;
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
 }
 
 fs::path homeFolder() {

@@ -26,6 +26,9 @@ FolderListing listFolder(const std::filesystem::path& folder);
 /// The order of names in a listing.
 bool comesBefore(const std::string& a, const std::string& b);
 
+/// Makes the folder, and those above it, where there are none. Throws Error.
+void makeFolder(const std::filesystem::path& folder);
+
 /// $HOME, else the root.
 std::filesystem::path homeFolder();
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/report.h"
@@ -45,9 +46,7 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
     }
     return;
   }
-  std::error_code failure;
-  std::filesystem::create_directories(options.folder, failure);
-  if (failure) throw Error("cannot make the folder: " + failure.message(), options.folder);
+  makeFolder(options.folder);
   fmt::print("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
              "agreement", "hidden", "missed", "match");
   std::size_t bad = 0;

@@ -75,10 +75,9 @@ void playView(Workspace& work, const StepMove& move) {
     flyTo(work, pose);
   }
   if (move.lookThrough && !work.lookingThrough) toggleLookThrough(work);
-  if (move.preview == "reflection") work.preview.tab = PreviewTab::reflection;
-  if (move.preview == "original") work.preview.tab = PreviewTab::original;
-  if (move.preview == "difference") work.preview.tab = PreviewTab::difference;
-  if (move.preview == "wipe") work.preview.tab = PreviewTab::wipe;
+  if (!move.preview.empty()) {
+    work.preview.tab = static_cast<PreviewTab>(numberOf(previewTabs, move.preview));
+  }
   if (!move.rays.empty()) {
     work.rays.show = true;
     work.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;

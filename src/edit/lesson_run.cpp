@@ -23,8 +23,7 @@ bool hasTurned(const ViewPose& from, const ViewPose& to) {
 }
 
 bool previewIs(const Workspace& work, const std::string& tab) {
-  const char* names[] = {"reflection", "original", "difference", "wipe"};
-  return tab == names[static_cast<int>(work.preview.tab)];
+  return tab == previewTabs[static_cast<std::size_t>(work.preview.tab)];
 }
 
 bool showsRaysOf(const Workspace& work, const std::string& source) {

@@ -135,9 +135,7 @@ void FieldReader::finish() {
 
 const JsonValue* FieldReader::find(std::string_view key) {
   asked_.push_back(key);
-  const auto found = std::find(json_.keys.begin(), json_.keys.end(), key);
-  return found == json_.keys.end() ? nullptr
-                                   : &json_.items[static_cast<std::size_t>(found - json_.keys.begin())];
+  return findMember(json_, key);
 }
 
 void FieldReader::fail(const std::string& path, const std::string& expected, const JsonValue& got) const {

@@ -245,6 +245,12 @@ std::string quoteJson(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+const JsonValue* findMember(const JsonValue& object, std::string_view key) {
+  const auto found = std::find(object.keys.begin(), object.keys.end(), key);
+  return found == object.keys.end() ? nullptr
+                                    : &object.items[static_cast<std::size_t>(found - object.keys.begin())];
+}
+
 std::string joinJsonPath(const std::string& path, std::string_view key) {
   std::string joined = path + '/';
   for (const char c : key) {

@@ -31,6 +31,9 @@ struct JsonValue {
 /// is only for the message. A byte order mark is skipped.
 JsonValue parseJson(std::string_view text, const std::string& fileName);
 
+/// The value of an object's key; null when it has not got it, or is no object.
+const JsonValue* findMember(const JsonValue& object, std::string_view key);
+
 /// Indented by 2, a line for each item; values without objects inside stay on one line where they fit in 100
 /// columns.
 std::string formatJson(const JsonValue& value);

@@ -16,7 +16,6 @@ namespace {
 using Names = std::vector<std::string>;
 
 // Which names an event or a move takes.
-const Names previewTabs{"reflection", "original", "difference", "wipe"};
 const Names raySources{"pixels", "vertices"};
 const Names mistakeNames{"direction", "distance", "normal"};
 
@@ -42,7 +41,7 @@ Names namesFor(StepEvent event) {
     case StepEvent::changedMirror:
       return namesOf(mirrorShapes);
     case StepEvent::viewed:
-      return previewTabs;
+      return namesOf(previewTabs);
     case StepEvent::raysOf:
       return raySources;
     case StepEvent::putRight:
@@ -103,7 +102,7 @@ static void fields(FieldReader& at, StepMove& move) {
     auto& [column, row] = move.pixel.emplace();
     at.pair("pixel", column, row, Range{0, 63});
   }
-  name(at, "preview", move.preview, previewTabs);
+  name(at, "preview", move.preview, namesOf(previewTabs));
   name(at, "rays", move.rays, raySources);
   name(at, "putRight", move.putRight, mistakeNames);
   name(at, "shape", move.shape, {"box", "sphere", "torusKnot", "letterF", "pawn"});

@@ -97,6 +97,8 @@ struct StepShow {
   bool operator==(const StepShow&) const = default;
 };
 inline constexpr std::array stepTabs{"eye", "original", "mirror", "sculpture", "lights", "rays", "view"};
+/// Of the preview, in its order.
+inline constexpr std::array previewTabs{"reflection", "original", "difference", "wipe"};
 inline constexpr std::array stepFigures{"perspective", "construction", "columns", "edges", "occlusion"};
 
 struct LessonStep {

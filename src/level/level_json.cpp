@@ -10,7 +10,6 @@
 #include "level/field_reader.h"
 #include "level/field_writer.h"
 #include "level/json.h"
-#include "level/lesson.h"
 #include "level/level_fields.h"
 #include "level/scene_file.h"
 
@@ -44,12 +43,11 @@ Level readLevel(const JsonValue& document, FieldReader::Context& context) {
   fields(reader, level);
   reader.finish();
   level.unknownKeys = context.unknownKeys;
-  parseLesson(level.lesson, context.file);  // kept as it is written, but checked
   return level;
 }
 
 bool isLevel(const JsonValue& document) {
-  return std::find(document.keys.begin(), document.keys.end(), "format") != document.keys.end();
+  return findMember(document, "format") != nullptr;
 }
 
 }  // namespace
@@ -66,6 +64,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
         fileName);
   }
   loaded.level = loaded.isThesisScene ? readThesisScene(document, context) : readLevel(document, context);
+  loaded.lesson = parseLesson(loaded.level.lesson, fileName);
   for (const UnknownKey& unknown : context.unknownKeys) {
     loaded.warnings.push_back(fmt::format("{}: {}: unknown key, {}", fileName,
                                           joinJsonPath(unknown.object, unknown.key),

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "level/lesson.h"
 #include "level/level.h"
 
 namespace anamorph {
@@ -18,6 +19,7 @@ constexpr std::size_t maxLevelBytes = std::size_t{16} << 20;
 
 struct LoadedLevel {
   Level level;
+  Lesson lesson;                      ///< what level.lesson says
   std::vector<std::string> warnings;  ///< whole sentences with file and JSON pointer
   /// From a scene file of the thesis: the original is a FileShape without a path that the caller fills in,
   /// and the camera's target is the mesh's position until the caller knows the original's box.

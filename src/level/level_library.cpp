@@ -1,6 +1,7 @@
 #include "level/level_library.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/resources.h"
@@ -43,9 +44,9 @@ std::vector<LevelEntry> listLevels(const fs::path& folder) {
     entry.path = file;
     entry.name = file.stem().string();
     try {
-      const Level level = loadLevel(file).level;
-      entry.title = level.title;
-      entry.lesson = parseLesson(level.lesson, file.string());
+      LoadedLevel loaded = loadLevel(file);
+      entry.title = std::move(loaded.level.title);
+      entry.lesson = std::move(loaded.lesson);
     } catch (const Error& error) {
       entry.problem = error.what();  // one broken file must not hide the others
     }

@@ -89,9 +89,7 @@ struct TakeMirror {
 }  // namespace
 
 bool isThesisScene(const JsonValue& document) {
-  const auto has = [&](const char* key) {
-    return std::find(document.keys.begin(), document.keys.end(), key) != document.keys.end();
-  };
+  const auto has = [&](const char* key) { return findMember(document, key) != nullptr; };
   return (has("Eye") || has("Objects")) && !has("format");
 }
 

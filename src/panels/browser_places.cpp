@@ -61,6 +61,10 @@ bool isBelow(const fs::path& folder, const fs::path& root) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+fs::path usualFolder(const UiState& ui) {
+  return ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
+}
+
 void rememberFolder(UiState& ui, const fs::path& folder) {
   auto& folders = ui.recentFolders;
   folders.erase(std::remove(folders.begin(), folders.end(), folder), folders.end());

@@ -14,6 +14,9 @@ bool isBelow(const std::filesystem::path& folder, const std::filesystem::path& r
 /// Puts it first among the recent folders.
 void rememberFolder(UiState& ui, const std::filesystem::path& folder);
 
+/// Where a file goes that nothing else is known of: the newest of the recent folders, else home.
+std::filesystem::path usualFolder(const UiState& ui);
+
 /// A button up, the parts of the path, and in narrow windows a list of places. Returns where to go.
 std::optional<std::filesystem::path> drawPathRow(UiState& ui);
 

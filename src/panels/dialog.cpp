@@ -9,6 +9,7 @@
 #include "panels/actions.h"
 #include "panels/file_browser.h"
 #include "panels/style.h"
+#include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
@@ -38,7 +39,7 @@ void drawDialogs(Workspace& work, UiState& ui) {
 }
 
 bool beginDialog(const UiState& ui, const char* title, float width, float height) {
-  const std::string name = std::string(tr(title)) + "###" + title;
+  const std::string name = label(title);
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(ui.scale);
@@ -85,10 +86,10 @@ int dialogButtons(std::initializer_list<const char*> names, std::initializer_lis
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0 && !stacked) ImGui::SameLine();
     const char* name = names.begin()[i];
-    const std::string label = std::string(tr(name)) + "###" + name;
     if (i == 0) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     ImGui::BeginDisabled(i < enabled.size() && !enabled.begin()[i]);
-    if (ImGui::Button(label.c_str(), {stacked ? room : buttonWidth(name), 0})) pressed = static_cast<int>(i);
+    if (ImGui::Button(label(name).c_str(), {stacked ? room : buttonWidth(name), 0}))
+      pressed = static_cast<int>(i);
     ImGui::EndDisabled();
     if (i == 0) ImGui::PopStyleColor();
   }

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "base/folder.h"
 #include "base/language.h"
+#include "panels/browser_places.h"
 #include "panels/file_browser.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -126,12 +126,6 @@ std::string proposedName(const Workspace& work, const ExportDialog& dialog) {
   return (level.empty() ? "" : level + "-") + names[dialog.kind];
 }
 
-// Where the last export went, else where the last level came from, else home.
-std::filesystem::path proposedFolder(const UiState& ui) {
-  if (!ui.exporting.folder.empty()) return ui.exporting.folder;
-  return ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
-}
-
 // The browser's choice: the file is written at once.
 void takeChoice(UiState& ui) {
   ExportDialog& dialog = ui.exporting;
@@ -168,7 +162,8 @@ void drawButtons(const Workspace& work, UiState& ui) {
   }
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
-    browseFiles(ui, purposeOf(dialog), proposedFolder(ui) / proposedName(work, dialog));
+    browseFiles(ui, purposeOf(dialog),
+                (dialog.folder.empty() ? usualFolder(ui) : dialog.folder) / proposedName(work, dialog));
   }
 }
 
@@ -188,14 +183,8 @@ void drawExportWindow(Workspace& work, UiState& ui) {
   takeChoice(ui);
   ExportDialog& dialog = ui.exporting;
   if (!dialog.open) return;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(ui.scale);
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(460 * s, display.x), std::min(470 * s, 0.94f * display.y)},
-                           ImGuiCond_Appearing);
-  const std::string title = std::string(tr("Export")) + "###export";
-  if (ImGui::Begin(title.c_str(), &dialog.open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (beginToolWindow(ui, "Export", "###export", dialog.open, 460, 470)) {
     ImGui::BeginDisabled(dialog.running);
     if (segmentedControl("kinds", dialog.kind,
                          {"Sculpture", "Viewing sheet", "Rays", "Match report", "Picture", "Screenshot"},

@@ -37,8 +37,7 @@ fs::path proposedFile(const Workspace& work, const UiState& ui) {
   if (own && !work.session.isThesisScene()) return path;
   const fs::path name = path.empty() ? fs::path("level.json") : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
-  const fs::path folder = ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
-  return folder / name;
+  return usualFolder(ui) / name;
 }
 
 void saveTo(const fs::path& path, Workspace& work, UiState& ui) {

@@ -89,14 +89,7 @@ void wordRows(const UiState& ui) {
 
 void drawHelpWindow(Workspace&, UiState& ui) {
   if (!ui.helpOpen) return;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float s = static_cast<float>(ui.scale);
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(640 * s, display.x), std::min(620 * s, 0.9f * display.y)},
-                           ImGuiCond_Appearing);
-  const std::string title = std::string(tr("Help")) + "###help";
-  if (ImGui::Begin(title.c_str(), &ui.helpOpen,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (beginToolWindow(ui, "Help", "###help", ui.helpOpen, 640, 620, 0.9f)) {
     mouseRows(ui);
     keyRows(ui);
     lineRows(ui);

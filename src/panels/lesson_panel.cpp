@@ -37,7 +37,7 @@ void drawHead(Workspace& work, UiState& ui) {
 bool button(const char* name, const char* help, float width, bool enabled, bool strong) {
   if (strong) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button((std::string(tr(name)) + "###" + name).c_str(), {width, 0});
+  const bool pressed = ImGui::Button(label(name).c_str(), {width, 0});
   ImGui::EndDisabled();
   if (strong) ImGui::PopStyleColor();
   tooltip(help);

@@ -56,14 +56,8 @@ void drawProgressWindow(Workspace& work, UiState& ui) {
     ui.resetAsked = false;
     return;
   }
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(ui.scale);
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(620 * s, display.x), 0});
-  const std::string title = std::string(tr("Points and badges")) + "###progress";
-  if (ImGui::Begin(
-          title.c_str(), &ui.progressOpen,
-          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoResize)) {
+  if (beginToolWindow(ui, "Points and badges", "###progress", ui.progressOpen, 620, 0)) {
     if (ImGui::BeginTable("lessons", 4, ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("badge", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize());
       ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthStretch);

@@ -63,14 +63,8 @@ void picture(UiState& ui, const ImVec2& room) {
 void drawRenderWindow(Workspace&, UiState& ui) {
   RenderDialog& dialog = ui.render;
   if (!dialog.open) return;
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(ui.scale);
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(620 * s, display.x), std::min(720 * s, 0.94f * display.y)},
-                           ImGuiCond_Appearing);
-  const std::string title = std::string(tr("Render image")) + "###render";
-  if (ImGui::Begin(title.c_str(), &dialog.open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+  if (beginToolWindow(ui, "Render image", "###render", dialog.open, 620, 720)) {
     settings(ui);
     const float below = 2 * ImGui::GetFrameHeightWithSpacing();
     const ImVec2 avail = ImGui::GetContentRegionAvail();

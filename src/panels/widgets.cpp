@@ -14,11 +14,6 @@ namespace {
 
 constexpr float nameShare = 0.40f;  // of the width
 
-// What is shown in the chosen language, with the English text as Dear ImGui's identity.
-std::string label(const char* english) {
-  return std::string(tr(english)) + "###" + english;
-}
-
 // What pointAt() was told. Like Dear ImGui itself, one for the thread that draws.
 struct Pointer {
   std::string name;
@@ -78,6 +73,23 @@ double toLinear(double x) {
 }
 
 }  // namespace
+
+std::string label(const char* english) {
+  return std::string(tr(english)) + "###" + english;
+}
+
+bool beginToolWindow(const UiState& ui, const char* english, const char* id, bool& open, float width,
+                     float height, float mostHeight) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float s = static_cast<float>(ui.scale);
+  const bool fits = height <= 0;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(width * s, display.x), std::min(height * s, mostHeight * display.y)},
+                           fits ? ImGuiCond_Always : ImGuiCond_Appearing);
+  const int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  const std::string title = std::string(tr(english)) + id;
+  return ImGui::Begin(title.c_str(), &open, fits ? flags | ImGuiWindowFlags_NoResize : flags);
+}
 
 bool section(const UiState& ui, const char* title, bool open) {
   ImGui::Dummy({0, 2});

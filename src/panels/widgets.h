@@ -22,6 +22,15 @@ struct NumberRange {
   const char* format = "%.2f";
 };
 
+/// What is shown in the chosen language, with the English text as Dear ImGui's identity.
+std::string label(const char* english);
+
+/// A window over the others that can be moved and closed: in the middle at first, never larger than the
+/// display, width and height at 100 %; height 0: as high as what is in it. `id`, "###help", is the same in
+/// every language. Pair with ImGui::End(), whatever it returns.
+bool beginToolWindow(const UiState& ui, const char* english, const char* id, bool& open, float width,
+                     float height, float mostHeight = 0.94f);
+
 /// A heading that folds; returns whether what is below it is to be drawn.
 bool section(const UiState& ui, const char* title, bool open = true);
 
