@@ -18,7 +18,8 @@ bool RenderJob::update(const Products& products, UiState& ui) {
     worker_.cancel();
     dialog.message = tr("Cancelled.");
   }
-  if (std::exchange(ui.requests.saveRender, false) && image_) save(dialog.file);
+  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && image_)
+    save(path->string());
   bool changed = false;
   if (auto image = results_->take()) {
     image_ = std::move(*image);

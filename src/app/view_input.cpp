@@ -6,6 +6,7 @@
 
 #include "panels/style.h"
 #include "viewport/camera_lines.h"
+#include "viewport/canvas_lines.h"
 #include "viewport/construction_lines.h"
 #include "viewport/ray_lines.h"
 
@@ -50,6 +51,8 @@ std::vector<Line> makeLines(const Workspace& work, const UiState& ui) {
     append(lines,
            makeCameraLines(level.camera, selected, work.cell ? work.cell : ui.hoveredCell, work.pose.eye));
   }
+  // From the eye the canvas would lie over what is seen in it.
+  if (!work.lookingThrough) append(lines, makeCanvasLines(level.optic, work.selection.part == Part::mirror));
   switch (shownRays(work)) {
     case Shown::trees:
       append(lines, makeTreeLines(*products.trees, work.rays, treeOf(work), playTime(work)));

@@ -1,5 +1,6 @@
 #include "edit/session.h"
 
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -18,19 +19,30 @@ void fillScene(Level& level) {
   level.camera.target = level.original.placement.position;
 }
 
+std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& path) {
+  std::error_code failure;
+  const bool isFile = std::filesystem::is_regular_file(path, failure);
+  const auto time =
+      isFile ? std::filesystem::last_write_time(path, failure) : std::filesystem::file_time_type();
+  return !isFile || failure ? std::nullopt : std::optional(time);
+}
+
 }  // namespace
 
 void Session::open(const std::filesystem::path& path) {
+  const auto written = timeOf(path);
   LoadedLevel loaded = loadLevel(path);
   if (loaded.isThesisScene) fillScene(loaded.level);
   begin(path, std::move(loaded.level));
   isThesisScene_ = loaded.isThesisScene;
+  written_ = written;
   warnings_ = std::move(loaded.warnings);
 }
 
 void Session::begin(std::filesystem::path path, Level level) {
   path_ = std::move(path);
   isThesisScene_ = false;
+  written_.reset();
   warnings_.clear();
   level_ = std::move(level);
   saved_ = level_;
@@ -65,6 +77,12 @@ void Session::saveTo(const std::filesystem::path& path) {
   level_ = saved_ = std::move(level);
   path_ = path;
   isThesisScene_ = false;
+  written_ = timeOf(path);
+}
+
+bool Session::isFileChanged() const {
+  const auto now = timeOf(path_);
+  return now && written_ && *now != *written_;
 }
 
 void Session::change(Level level) {

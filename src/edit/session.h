@@ -40,6 +40,9 @@ class Session {
   const std::filesystem::path& path() const { return path_; }
   /// Whether the file is a scene of the thesis, which a level cannot replace.
   bool isThesisScene() const { return isThesisScene_; }
+  /// Whether the file on disk is another one than was opened or saved last: another program wrote it. A file
+  /// that is gone has not been changed.
+  bool isFileChanged() const;
   /// Sentences about the file that was opened.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Grows with every level opened, so that others notice.
@@ -74,6 +77,7 @@ class Session {
 
   std::filesystem::path path_;
   bool isThesisScene_ = false;
+  std::optional<std::filesystem::file_time_type> written_;  // the file, when it was opened or saved last
   Level level_, saved_;
   std::vector<std::string> warnings_;
   int generation_ = 0, undoCount_ = 0;

@@ -7,6 +7,7 @@
 #include "edit/orbit.h"
 #include "panels/dialog.h"
 #include "panels/file_flow.h"
+#include "panels/key_focus.h"
 #include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 #include "panels/widgets.h"
@@ -58,6 +59,7 @@ void cancel(Workspace& work, UiState& ui) {
     return work.session.cancelChange();
   }
   if (closePopups()) return;
+  if (!ui.keyPanel.empty()) return leaveKeyFocus(ui);
   if (ui.tourCard >= 0) {
     ui.tourCard = -1;
     ui.preferences.tourSeen = true;
@@ -132,6 +134,9 @@ const std::vector<ActionText>& actionTexts() {
       {Action::help, "Help", "Keys, mouse and words"},
       {Action::tour, "Show me around", "What is where in the window, in twenty seconds"},
       {Action::hidePanels, "Hide the panels", "And show them again"},
+      {Action::nextPanel, "Keys into the next panel",
+       "There arrows, Space and Enter work its controls; Esc goes back"},
+      {Action::previousPanel, "Keys into the panel before", ""},
       {Action::fullscreen, "Full screen", "And back"},
       {Action::quit, "Quit", ""},
   };
@@ -175,6 +180,8 @@ std::vector<Shortcut> shortcuts(bool vrtKeys) {
       {Action::screenshot, f12, 0, "F12"},
       {Action::help, f1, 0, "F1"},
       {Action::hidePanels, f2, 0, "F2"},
+      {Action::nextPanel, f6, 0, "F6"},
+      {Action::previousPanel, f6, shift, "Shift+F6"},
       {Action::fullscreen, f11, 0, "F11"},
       {Action::quit, 'Q', control, "Ctrl+Q"},
   };
@@ -297,6 +304,10 @@ void perform(Action action, Workspace& work, UiState& ui) {
     case Action::hidePanels:
       ui.panelsHidden = !ui.panelsHidden;
       return;
+    case Action::nextPanel:
+      return moveKeyFocus(ui, 1);
+    case Action::previousPanel:
+      return moveKeyFocus(ui, -1);
     case Action::fullscreen:
       ui.requests.toggleFullscreen = true;
       return;
@@ -311,6 +322,7 @@ bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeat
     if (modifiers == 0) ui.dialogKeys.push_back({key, repeated});
     return true;
   }
+  if (isForPanel(ui, key, modifiers)) return true;
   if (ui.viewDrag == ViewDrag::gizmo && key >= 'X' && key <= 'Z' && (modifiers & keys::control) == 0) {
     const int axis = key - 'X';
     ui.axisLock = ui.axisLock == axis ? -1 : axis;

@@ -51,6 +51,8 @@ enum class Action {
   help,
   tour,
   hidePanels,
+  nextPanel,
+  previousPanel,
   fullscreen,
 };
 
@@ -58,7 +60,7 @@ enum class Action {
 namespace keys {
 constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, right = 262, left = 263, down = 264,
               up = 265, pageUp = 266, pageDown = 267, home = 268, end = 269, padEnter = 335, f1 = 290,
-              f2 = 291, f3 = 292, f4 = 293, f5 = 294, f11 = 300, f12 = 301, pad0 = 320, space = 32;
+              f2 = 291, f3 = 292, f4 = 293, f5 = 294, f6 = 295, f11 = 300, f12 = 301, pad0 = 320, space = 32;
 constexpr int shift = 1, control = 2, alt = 4;
 }  // namespace keys
 

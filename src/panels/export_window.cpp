@@ -129,13 +129,8 @@ std::string proposedName(const Workspace& work, const ExportDialog& dialog) {
 // The browser's choice: the file is written at once.
 void takeChoice(UiState& ui) {
   ExportDialog& dialog = ui.exporting;
-  if (!dialog.choosing) return;
-  const auto path = takeChosenFile(ui, purposeOf(dialog));
-  if (!path) {
-    if (!ui.browser.open) dialog.choosing = false;
-    return;
-  }
-  dialog.choosing = false;
+  const auto path = awaitChosenFile(ui, purposeOf(dialog), dialog.choosing);
+  if (!path) return;
   dialog.folder = path->parent_path();
   dialog.lines.clear();
   if (isScreenshot(dialog)) {

@@ -280,4 +280,11 @@ std::optional<fs::path> takeChosenFile(UiState& ui, FilePurpose purpose) {
   return path;
 }
 
+std::optional<fs::path> awaitChosenFile(UiState& ui, FilePurpose purpose, bool& waiting) {
+  if (!waiting) return std::nullopt;
+  auto path = takeChosenFile(ui, purpose);
+  waiting = !path && ui.browser.open;
+  return path;
+}
+
 }  // namespace anamorph

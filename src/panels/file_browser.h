@@ -64,6 +64,10 @@ void browseFiles(UiState& ui, FilePurpose purpose, const std::filesystem::path& 
 /// The file that was chosen for this, once.
 std::optional<std::filesystem::path> takeChosenFile(UiState& ui, FilePurpose purpose);
 
+/// For a window that opened the browser and waits: the same, once; `waiting` ends with the file, and when the
+/// browser was closed without one.
+std::optional<std::filesystem::path> awaitChosenFile(UiState& ui, FilePurpose purpose, bool& waiting);
+
 void drawFileBrowser(UiState& ui);
 
 /// Whether the browser writes: then a file that is there is asked about, and the ending is put behind the

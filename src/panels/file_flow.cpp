@@ -90,7 +90,13 @@ void saveCurrent(Workspace& work, UiState& ui) {
   const fs::path path = work.session.path();
   if (path.empty() || work.session.isThesisScene() || isInstalledLevel(path)) return saveCurrentAs(work, ui);
   finishEdits(work, ui);
-  saveTo(path, work, ui);
+  if (!work.session.isFileChanged()) return saveTo(path, work, ui);
+  browseFiles(ui, FilePurpose::saveLevel, path);
+  ui.browser.problem = fmt::format(
+      fmt::runtime(
+          tr("{} has been changed by another program since it was opened or saved here. Replace it, or "
+             "save under another name.")),
+      path.filename().string());
 }
 
 void saveCurrentAs(Workspace& work, UiState& ui) {

@@ -6,7 +6,16 @@ namespace anamorph {
 namespace {
 
 constexpr float menuHeight = 30, statusHeight = 26;
-constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 120;
+constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 120, smallestLesson = 250;
+
+// Side panels give way before they go: each gives its share of what the view lacks.
+void squeeze(float& left, float& right, float lacking, float scale) {
+  const float spareLeft = std::max(0.0f, left - smallestLeft * scale);
+  const float spareRight = std::max(0.0f, right - smallestRight * scale);
+  if (lacking <= 0 || lacking > spareLeft + spareRight) return;
+  left -= lacking * spareLeft / (spareLeft + spareRight);
+  right -= lacking * spareRight / (spareLeft + spareRight);
+}
 
 }  // namespace
 
@@ -24,9 +33,12 @@ Layout makeLayout(const LayoutInput& in) {
 
   float left = in.leftWidth * s;
   float right = (in.previewExpanded ? std::max(in.rightWidth, 0.5f * in.width / s) : in.rightWidth) * s;
-  if (in.width - left - right < smallestView * s) left = 0;
+  squeeze(left, right, smallestView * s - (in.width - left - right), s);
+  // A hair of room for what rounding took.
+  if (in.width - left - right < smallestView * s - 0.5f) left = 0;
   if (in.width - right < smallestView * s) right = 0;
-  const float list = std::min((46 + levelRowHeight * static_cast<float>(in.levels)) * s, 0.42f * height);
+  float list = std::min((46 + levelRowHeight * static_cast<float>(in.levels)) * s, 0.42f * height);
+  if (height - list < smallestLesson * s) list = 0;  // the menu Level has the list too
   layout.left = {0, top, left, left > 0 ? list : 0};
   layout.lesson = {0, top + list, left, left > 0 ? height - list : 0};
   layout.view = {left, top, in.width - left - right, height};

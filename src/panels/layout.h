@@ -1,5 +1,6 @@
-// Where the panels are: a fixed arrangement with splitters. Small windows lose the side panels first, so that
-// the 3D view always has room.
+// Where the panels are: a fixed arrangement with splitters. In small windows the side panels give way, and go
+// when that is not enough, so that the 3D view always has room; a low window shows the lesson without the
+// level list.
 //
 //   +----------------------------------------------+
 //   | menu                                         |
@@ -17,6 +18,9 @@ namespace anamorph {
 
 /// Of a row of the level list, at scale 1.
 constexpr float levelRowHeight = 40;
+
+/// Widths of the side panels that can still be read, at scale 1.
+constexpr float smallestLeft = 180, smallestRight = 240;
 
 /// Pixels, origin top-left.
 struct Rect {

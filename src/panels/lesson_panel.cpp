@@ -89,7 +89,8 @@ void drawLesson(Workspace& work, UiState& ui) {
   drawHead(work, ui);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
-  ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false);
+  ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
+                    ImGuiWindowFlags_NavFlattened);
   if (ui.scrolledStep != work.lesson.step) {
     ImGui::SetScrollY(0);
     ui.scrolledStep = work.lesson.step;

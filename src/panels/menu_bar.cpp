@@ -82,6 +82,7 @@ void viewMenu(Workspace& work, UiState& ui) {
   item(Action::rayStepForward, work, ui, work.rays.show);
   item(Action::rayStepBack, work, ui, work.rays.show);
   item(Action::hidePanels, work, ui, true, ui.panelsHidden);
+  item(Action::nextPanel, work, ui, !ui.panelsHidden);
   item(Action::fullscreen, work, ui);
   item(Action::present, work, ui, true, ui.presenting);
 }

@@ -1,4 +1,4 @@
-// The mirror: its shape, its place, its look.
+// The mirror, or the canvas in its place: shape, place, look.
 
 #include "edit/replacements.h"
 #include "panels/panels.h"
@@ -46,8 +46,8 @@ void drawMirrorProperties(Workspace& work, UiState& ui) {
   Level level = work.session.level();
   MirrorShape& shape = level.optic.shape;
   bool changed = false;
-  if (section(ui, "Mirror")) {
-    bool reflects = level.optic.kind == OpticKind::mirror;
+  bool reflects = level.optic.kind == OpticKind::mirror;
+  if (section(ui, reflects ? "Mirror" : "Canvas")) {
     if (checkRow(
             "Reflects", reflects,
             "Off: no mirror but a canvas that light passes. The sculpture's points slide along the view rays "
@@ -65,7 +65,7 @@ void drawMirrorProperties(Workspace& work, UiState& ui) {
     changed |= std::visit(ShapeRows{}, shape);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
-  if (section(ui, "Look", false)) {
+  if (reflects && section(ui, "Look", false)) {
     changed |= colorRow("Tint", level.mirrorLook.tint, "The colour of what it reflects.");
     changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {0, 1, 0.01, "%.2f"},
                          "The share of the light that it gives back.");

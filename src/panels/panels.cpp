@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "panels/dialog.h"
+#include "panels/key_focus.h"
 #include "panels/lesson_text.h"
 #include "panels/view_panel.h"
 
@@ -41,15 +42,15 @@ void drawSplitters(UiState& ui) {
   const Layout& l = ui.layout;
   const float t = 4 * static_cast<float>(ui.scale);
   Preferences& p = ui.preferences;
-  if (!l.left.empty()) {
+  if (!l.lesson.empty()) {
     splitter(ui, "##split-left",
-             {l.left.x + l.left.width - t / 2, l.left.y, t, l.left.height + l.lesson.height}, true,
-             p.leftWidth, 1, 180, 600);
+             {l.lesson.x + l.lesson.width - t / 2, l.left.y, t, l.left.height + l.lesson.height}, true,
+             p.leftWidth, 1, smallestLeft, 600);
   }
   if (!l.properties.empty()) {
     splitter(ui, "##split-right",
              {l.properties.x - t / 2, l.properties.y, t, l.properties.height + l.preview.height}, true,
-             p.rightWidth, -1, 240, 900);
+             p.rightWidth, -1, smallestRight, 900);
   }
   if (!l.preview.empty()) {
     splitter(ui, "##split-preview", {l.preview.x, l.preview.y - t / 2, l.preview.width, t}, false,
@@ -81,6 +82,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawPresenter(work, ui);
   drawTour(work, ui);
   drawDialogs(work, ui);
+  updateKeyFocus(ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
   if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;

@@ -60,15 +60,16 @@ void drawPropertiesPanel(Workspace& work, UiState& ui) {
   }
   if (!beginPanel("properties", ui.layout.properties)) return;
   int tab = static_cast<int>(ui.tab);
-  if (segmentedControl("tabs", tab, {"Eye", "Original", "Mirror", "Sculpture", "Lights", "Rays", "View"},
-                       4)) {
+  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
+  const char* optic = reflects ? "Mirror" : "Canvas";
+  if (segmentedControl("tabs", tab, {"Eye", "Original", optic, "Sculpture", "Lights", "Rays", "View"}, 4)) {
     openTab(work, ui, static_cast<PropertyTab>(tab));
   }
   using Draw = void (*)(Workspace&, UiState&);
   constexpr std::array<Draw, 7> tabs{drawEyeProperties,       drawOriginalProperties, drawMirrorProperties,
                                      drawSculptureProperties, drawLightProperties,    drawRayProperties,
                                      drawViewProperties};
-  ImGui::BeginChild("rows", {0, 0}, false);
+  ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   ImGui::PushID(tab);
   tabs[static_cast<std::size_t>(tab)](work, ui);
   ImGui::PopID();

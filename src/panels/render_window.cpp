@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include "base/language.h"
+#include "panels/browser_places.h"
+#include "panels/file_browser.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -58,24 +59,32 @@ void picture(UiState& ui, const ImVec2& room) {
   list->PopClipRect();
 }
 
+// Proposes a name beside the last picture.
+void saveButton(const Workspace& work, UiState& ui) {
+  RenderDialog& dialog = ui.render;
+  if (!wideButton("Save as...", "", ui.textures.render.id != 0 && !dialog.running)) return;
+  dialog.choosing = true;
+  const std::string level = work.session.path().stem().string();
+  browseFiles(ui, FilePurpose::saveImage,
+              (dialog.folder.empty() ? usualFolder(ui) : dialog.folder) /
+                  ((level.empty() ? "" : level + "-") + "render.png"));
+}
+
 }  // namespace
 
-void drawRenderWindow(Workspace&, UiState& ui) {
+void drawRenderWindow(Workspace& work, UiState& ui) {
   RenderDialog& dialog = ui.render;
+  if (const auto path = awaitChosenFile(ui, FilePurpose::saveImage, dialog.choosing)) {
+    dialog.folder = path->parent_path();
+    ui.requests.saveRender = *path;
+  }
   if (!dialog.open) return;
-  const float s = static_cast<float>(ui.scale);
   if (beginToolWindow(ui, "Render image", "###render", dialog.open, 620, 720)) {
     settings(ui);
     const float below = 2 * ImGui::GetFrameHeightWithSpacing();
     const ImVec2 avail = ImGui::GetContentRegionAvail();
     picture(ui, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
-    ImGui::SetNextItemWidth(-90 * s);
-    ImGui::InputText("##file", &dialog.file);
-    tooltip("The PNG file to write.");
-    ImGui::SameLine();
-    ImGui::BeginDisabled(ui.textures.render.id == 0 || dialog.running);
-    if (ImGui::Button(tr("Save"), {-FLT_MIN, 0})) ui.requests.saveRender = true;
-    ImGui::EndDisabled();
+    saveButton(work, ui);
     quietText(ui, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
   }
   ImGui::End();

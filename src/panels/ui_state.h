@@ -113,7 +113,8 @@ struct UiRequests {
   bool toggleFullscreen = false;
   std::optional<ShotRequest> shot;
   bool startExport = false, cancelExport = false, checkPrint = false;
-  bool startRender = false, cancelRender = false, saveRender = false;
+  bool startRender = false, cancelRender = false;
+  std::optional<std::filesystem::path> saveRender;
   std::optional<std::filesystem::path> open;  ///< a level; asked about first when there are unsaved changes
   bool startNew = false;                      ///< likewise
   std::optional<RecoveryAnswer> recovery;
@@ -148,7 +149,8 @@ struct RenderDialog {
   double share = 0;
   float zoom = 1;
   float panX = 0, panY = 0;
-  std::string file = "anamorph.png";
+  std::filesystem::path folder;  ///< of the last picture saved; empty: none yet
+  bool choosing = false;         ///< the file browser is open for it
   std::string message;
 };
 
@@ -173,6 +175,8 @@ struct UiState {
   std::vector<DialogKey> dialogKeys;                               ///< since the last frame
   std::vector<std::filesystem::path> recentLevels, recentFolders;  ///< newest first
 
+  std::string keyPanel;  ///< the window that has the keyboard (panels/key_focus.h); empty: the 3D view
+  bool keyPanelEntered = false;  ///< it is to get it in this frame
   bool panelsHidden = false;
   bool helpOpen = false;
   bool progressOpen = false;

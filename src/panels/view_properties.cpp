@@ -1,4 +1,6 @@
-// The 3D view and the program itself: theme, scale, what is shown.
+// The 3D view, the words of the level, and the program itself: theme, scale, language.
+
+#include <utility>
 
 #include "edit/orbit.h"
 #include "panels/panels.h"
@@ -18,6 +20,13 @@ void languageRow(UiState& ui) {
   ui.preferences.language = chosen == 0 ? "" : ui.languages[static_cast<std::size_t>(chosen - 1)].code;
 }
 
+void levelWords(Workspace& work) {
+  Level level = work.session.level();
+  bool changed = textFieldRow("Title", level.title);
+  changed |= textFieldRow("Description", level.description, 4, "Shown when the level has no lesson.");
+  if (changed) work.session.change(std::move(level));
+}
+
 }  // namespace
 
 void drawViewProperties(Workspace& work, UiState& ui) {
@@ -33,6 +42,7 @@ void drawViewProperties(Workspace& work, UiState& ui) {
     }
     checkRow("Legend", preferences.legend, "What the colours and line styles of the rays mean.");
   }
+  if (section(ui, "Title and description", false)) levelWords(work);
   if (section(ui, "Program")) {
     int theme = static_cast<int>(preferences.theme);
     if (choiceRow("Theme", theme, {"Dark", "Light", "Projector"},

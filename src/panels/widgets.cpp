@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include "base/language.h"
 #include "panels/style.h"
@@ -181,6 +182,23 @@ bool choiceRow(const char* name, int& value, const std::vector<const char*>& cho
   for (const char* choice : choices) names.push_back(tr(choice));
   const bool changed = ImGui::Combo("##value", &value, names.data(), static_cast<int>(names.size()));
   endRow(help);
+  return changed;
+}
+
+bool textFieldRow(const char* name, std::string& value, int lines, const char* help) {
+  if (lines <= 1) {
+    beginRow(name, help);
+    const bool changed = ImGui::InputText("##value", &value);
+    endRow(help);
+    return changed;
+  }
+  ImGui::PushID(name);
+  ImGui::TextUnformatted(tr(name));
+  const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
+  const bool changed = ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height});
+  pointedItem(name);
+  tooltip(help);
+  ImGui::PopID();
   return changed;
 }
 

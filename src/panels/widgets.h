@@ -45,6 +45,8 @@ bool checkRow(const char* name, bool& value, const char* help = "");
 /// Linear light in, linear light out; shown and picked as displays show it.
 bool colorRow(const char* name, Color& value, const char* help = "");
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help = "");
+/// A line of text that can be typed; `lines` > 1: a field of so many lines below the name.
+bool textFieldRow(const char* name, std::string& value, int lines = 1, const char* help = "");
 void textRow(const char* name, const std::string& value, const char* help = "");
 
 /// The control with this English name is outlined from now on, and scrolled to; "": none.

@@ -106,6 +106,30 @@ TEST_F(FileFlow, AnInstalledLevelIsNeverWritten) {
   EXPECT_EQ(savedDepth("2-cylinder-copy.json"), 3);
 }
 
+TEST_F(FileFlow, AFileThatAnotherProgramWroteIsReplacedOnlyWhenAsked) {
+  modify();
+  const fs::path file = folder_ / "mine.json";
+  fs::copy_file(folder_ / "other.json", file, fs::copy_options::overwrite_existing);
+  fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(5));
+  const std::string theirs = loadLevel(file).level.title;
+  act(Action::save);
+  ASSERT_TRUE(ui.browser.open);
+  EXPECT_NE(ui.browser.problem.find("another program"), std::string::npos);
+  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  key(keys::escape);
+  EXPECT_TRUE(work.session.modified());
+  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  act(Action::save);
+  key(keys::enter);  // the name that is proposed
+  key(keys::enter);  // replace it
+  EXPECT_FALSE(ui.browser.open);
+  EXPECT_EQ(savedDepth("mine.json"), 2);
+  modify(3);
+  act(Action::save);
+  EXPECT_FALSE(ui.browser.open) << "now it is one's own again";
+  EXPECT_EQ(savedDepth("mine.json"), 3);
+}
+
 TEST_F(FileFlow, ANewLevelGetsAName) {
   act(Action::newLevel);
   EXPECT_TRUE(work.session.path().empty());

@@ -176,7 +176,8 @@ class DrawnText : public PanelsTest {
       if (std::string(window->Name).find("properties/rows") != 0) continue;
       const int tab = static_cast<int>(ui.tab);
       const ImGuiID rows = ImHashData(&tab, sizeof(tab), window->ID);
-      for (const char* section : {"Ray tracer", "Look", "Material", "Surroundings"}) {
+      for (const char* section :
+           {"Ray tracer", "Look", "Material", "Surroundings", "Title and description"}) {
         window->StateStorage.SetInt(ImHashStr(section, 0, rows), 1);
         window->StateStorage.SetInt(ImHashStr((std::string("###") + section).c_str(), 0, rows), 1);
       }
@@ -268,12 +269,16 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   work.rays.animate = true;
   work.rays.lightRays = true;
   work.preview.expanded = false;
+  Level own = work.session.level();
+  own.title = own.description = "«its author's words»";  // which are edited as they are
+  work.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
     openTab(work, ui, static_cast<PropertyTab>(tab));
     if (tab == static_cast<int>(PropertyTab::sculpture)) work.point = PickedPoint{};
     look("tab " + std::to_string(tab));
   }
   EXPECT_TRUE(hasSeen("Depth scale k"));
+  EXPECT_TRUE(hasSeen("Description"));
   EXPECT_TRUE(hasSeen("Shininess")) << "what is folded is drawn, too";
   work.selection = {Part::light, 0};
   look("a light");
@@ -335,7 +340,6 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   }
   ui.exporting.open = false;
   ui.render.open = true;
-  ui.render.file = "picture.png";
   look("render");
   ui.render.running = true;
   look("rendering");

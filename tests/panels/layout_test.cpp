@@ -104,10 +104,30 @@ TEST(Layout, ShowsEverythingInAnOrdinaryWindowAndTheViewAlwaysHasRoom) {
   }
 }
 
+TEST(Layout, SidesGiveWayBeforeTheyGo) {
+  const auto at = [](float width) { return makeLayout({width, 800, 1, 264, 336, 440, false, false}); };
+  EXPECT_FLOAT_EQ(at(840).left.width, 264);
+  EXPECT_FLOAT_EQ(at(840).properties.width, 336);
+  EXPECT_GE(at(700).left.width, smallestLeft);
+  EXPECT_LT(at(700).left.width, 264);
+  EXPECT_GE(at(700).properties.width, smallestRight);
+  EXPECT_LT(at(700).properties.width, 336);
+  EXPECT_NEAR(at(700).view.width, 240, 0.01);
+  EXPECT_TRUE(at(640).left.empty());
+  EXPECT_FALSE(at(640).properties.empty());
+}
+
+TEST(Layout, AProjectorAtTwiceTheSizeHasItsLesson) {
+  // 200 %, and the projector theme's quarter more.
+  const Layout layout = makeLayout({1920, 1080, 2.5f, 264, 336, 416, false, false, 6});
+  EXPECT_TRUE(layout.left.empty()) << "the list leaves its room to the lesson";
+  EXPECT_GE(layout.lesson.height, 250 * 2.5f);
+  EXPECT_GE(layout.lesson.width, smallestLeft * 2.5f);
+  EXPECT_FALSE(layout.preview.empty());
+}
+
 TEST(Layout, SmallWindowsLoseTheSidesFirst) {
   const auto at = [](float width) { return makeLayout({width, 800, 1, 264, 336, 440, false, false}); };
-  EXPECT_TRUE(at(700).left.empty());
-  EXPECT_FALSE(at(700).properties.empty());
   EXPECT_TRUE(at(400).properties.empty());
   EXPECT_TRUE(at(400).preview.empty());
   EXPECT_EQ(at(400).view.width, 400);
