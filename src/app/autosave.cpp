@@ -32,14 +32,19 @@ const JsonValue& member(const JsonValue& object, const std::string& key, JsonVal
   throw Error("expected an unsaved level, got something else", file, "/" + key);
 }
 
+std::string absolutePath(const fs::path& path) {
+  std::error_code failure;
+  const fs::path absolute = path.empty() ? path : fs::absolute(path, failure);
+  return (failure ? path : absolute).string();  // there may be no working folder any more
+}
+
 std::string format(const Session& session) {
-  return formatJson(
-             JsonObject()
-                 .add("format", std::string("anamorph-recovery"))
-                 .add("path", session.path().empty() ? std::string() : fs::absolute(session.path()).string())
-                 .add("time", static_cast<double>(std::time(nullptr)))
-                 .add("level", parseJson(formatLevel(session.level()), "the level"))
-                 .value()) +
+  return formatJson(JsonObject()
+                        .add("format", std::string("anamorph-recovery"))
+                        .add("path", absolutePath(session.path()))
+                        .add("time", static_cast<double>(std::time(nullptr)))
+                        .add("level", parseJson(formatLevel(session.level()), "the level"))
+                        .value()) +
          "\n";
 }
 
@@ -70,8 +75,10 @@ void read(Rescued& rescued) {
   }
   rescued.levelPath = member(json, "path", JsonValue::Kind::string, name).text;
   rescued.entry.level = rescued.levelPath;
-  rescued.entry.time =
-      timeText(static_cast<std::time_t>(member(json, "time", JsonValue::Kind::number, name).number));
+  const double time = member(json, "time", JsonValue::Kind::number, name).number;
+  constexpr double latest = 1e11;  // seconds; clocks of thousands of years ahead cannot be written as dates
+  if (!(time >= 0 && time <= latest)) throw Error("expected a time, got another number", name, "/time");
+  rescued.entry.time = timeText(static_cast<std::time_t>(time));
   rescued.level = parseLevel(formatJson(member(json, "level", JsonValue::Kind::object, name)), name).level;
   rescued.entry.title = rescued.level.title.empty() ? tr("Untitled") : tr(rescued.level.title);
 }

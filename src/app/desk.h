@@ -52,6 +52,8 @@ class Desk {
 
   /// Whether the next frame would differ without any input.
   bool unfinished() const;
+  /// Whether a clock of the panels runs: the tour's, or that of what "show me" points at.
+  bool isPlaying() const { return ui_.tourCard >= 0 || ui_.highlightSeconds > 0; }
   /// A key went down (`repeated`: is held down); ignored while text is typed, unless a dialog is open.
   void key(int key, int modifiers, bool repeated = false);
   /// Files were dropped on the window.

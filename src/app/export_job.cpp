@@ -26,10 +26,11 @@ void ExportJob::update(Workspace& work, UiState& ui) {
   const Products& products = work.studio.products();
   if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
-  if (std::exchange(ui.requests.cancelExport, false)) {
+  if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
+    cancelled_ = true;
     waiting_.reset();
     worker_.cancel();
-    dialog.message = tr("Cancelled. Nothing was written.");
+    dialog.message = tr("Cancelling...");
     dialog.lines.clear();
   }
   if (waiting_ && products.problem) {
@@ -37,15 +38,24 @@ void ExportJob::update(Workspace& work, UiState& ui) {
     dialog.message = tr("There is no sculpture to export.");
     dialog.lines = {*products.problem};
   }
+  if (waiting_ && !products.complete && !work.studio.busy()) work.studio.restart();  // it was cancelled
   if (waiting_ && products.complete) start(*std::exchange(waiting_, std::nullopt), products, dialog);
+  const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
   if (auto outcome = outcomes_->take()) {
     dialog.message = std::move(outcome->message);
     dialog.lines = std::move(outcome->lines);
     if (outcome->written) ++work.exported;
+    cancelled_ = false;
   }
   if (auto failure = worker_.takeFailure()) {
     dialog.message = std::move(*failure);
     dialog.lines.clear();
+    cancelled_ = false;
+  }
+  // What is being written when it is cancelled may still be written.
+  if (cancelled_ && !busy) {
+    dialog.message = tr("Cancelled. Nothing was written.");
+    cancelled_ = false;
   }
   dialog.running = waiting_ || worker_.busy();
   dialog.share = waiting_ ? 0 : worker_.share();

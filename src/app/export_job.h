@@ -33,6 +33,7 @@ class ExportJob {
   void start(Task task, const Products& products, const ExportDialog& dialog);
 
   std::optional<Task> waiting_;
+  bool cancelled_ = false;  // and what became of it is not known yet
   std::shared_ptr<Mailbox<Outcome>> outcomes_ = std::make_shared<Mailbox<Outcome>>();
   Worker worker_;  // last: its jobs use the mailbox
 };

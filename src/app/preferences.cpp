@@ -33,9 +33,7 @@ void read(const JsonValue& object, const char* key, bool& value) {
 
 fs::path preferencesPath() {
   const char* config = std::getenv("XDG_CONFIG_HOME");
-  const char* home = std::getenv("HOME");
-  const fs::path base =
-      config && *config ? fs::path(config) : fs::path(home && *home ? home : ".") / ".config";
+  const fs::path base = config && *config ? fs::path(config) : homeFolder() / ".config";
   return base / "anamorph" / "preferences.json";
 }
 

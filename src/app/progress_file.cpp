@@ -37,6 +37,13 @@ LessonProgress parse(const JsonValue& json, const std::string& file) {
   return progress;
 }
 
+// What cannot be read is not written over.
+void setAside(const fs::path& path) {
+  std::error_code failure;
+  fs::rename(path, path.string() + ".broken", failure);
+  if (failure) throw Error("cannot be set aside: " + failure.message(), path.string());
+}
+
 }  // namespace
 
 fs::path progressPath() {
@@ -50,18 +57,21 @@ LessonProgress loadProgress(const fs::path& path, std::string& message) {
     return parse(parseJson(readFile(path, std::size_t{1} << 20).view(), path.string()), path.string());
   } catch (const Error& error) {
     message = error.what();
-    fs::copy_file(path, path.string() + ".broken", fs::copy_options::overwrite_existing, ignored);
     return {};
   }
 }
 
-void saveProgress(const fs::path& path, const LessonProgress& progress) {
+void saveProgress(const fs::path& path, LessonProgress progress) {
   makeFolder(path.parent_path());
+  std::string broken;
+  const LessonProgress others = loadProgress(path, broken);
+  if (!broken.empty()) setAside(path);
+  if (!progress.empty()) {
+    for (const auto& [lesson, steps] : others) progress[lesson].insert(steps.begin(), steps.end());
+  }
   JsonObject lessons;
   for (const auto& [lesson, steps] : progress) {
-    JsonValue list{Kind::array, {}, 0, {}, {}};
-    for (const std::string& step : steps) list.items.push_back({Kind::string, step, 0, {}, {}});
-    lessons.add(lesson, std::move(list));
+    lessons.add(lesson, textList({steps.begin(), steps.end()}));
   }
   writeFile(path, formatJson(JsonObject()
                                  .add("format", std::string("anamorph-progress"))

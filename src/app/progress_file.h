@@ -12,11 +12,12 @@ namespace anamorph {
 
 std::filesystem::path progressPath();
 
-/// Without a file: nothing done yet. A broken one too, with what is wrong in `message`; it is kept beside the
-/// new one under the name progress.json.broken.
+/// Without a file: nothing done yet. A broken one too, with what is wrong in `message`.
 LessonProgress loadProgress(const std::filesystem::path& path, std::string& message);
 
-/// Replaces the file atomically, and makes its folder. Throws Error.
-void saveProgress(const std::filesystem::path& path, const LessonProgress& progress);
+/// Adds to what the file has, which another window may have written, and replaces it atomically; no progress at
+/// all replaces it by nothing. A broken file is first set aside, as progress.json.broken. Makes the folder.
+/// Throws Error.
+void saveProgress(const std::filesystem::path& path, LessonProgress progress);
 
 }  // namespace anamorph

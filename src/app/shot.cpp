@@ -4,8 +4,13 @@
 #include <cfloat>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 #include <imgui.h>
+
+#include "base/error.h"
+#include "base/language.h"
+#include "gl/texture.h"
 
 namespace anamorph {
 namespace {
@@ -80,7 +85,14 @@ Bitmap withoutAlpha(const Bitmap& bitmap) {
 Bitmap takeShot(Desk& desk, const ShotRequest& request) {
   const Undisturbed guard(desk);
   const int factor = std::clamp(request.factor, 1, 4);
-  const Framebuffer target(guard.width() * factor, guard.height() * factor, {TexelFormat::rgba8});
+  const int width = guard.width() * factor, height = guard.height() * factor, most = Texture::maxSize();
+  if (std::max(width, height) > most) {
+    throw Error(
+        fmt::format(fmt::runtime(tr("A picture of {} x {} pixels is too large for this graphics card, which "
+                                    "can make {}. Choose a smaller one.")),
+                    width, height, most));
+  }
+  const Framebuffer target(width, height, {TexelFormat::rgba8});
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(target.width()), static_cast<float>(target.height())};
   io.DisplayFramebufferScale = {1, 1};

@@ -30,10 +30,7 @@ void append(const JsonValue& json, const std::string& key, Paths& paths, std::si
 }
 
 JsonValue listOf(const Paths& paths) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
-  for (const fs::path& path : paths)
-    list.items.push_back({JsonValue::Kind::string, path.string(), 0, {}, {}});
-  return list;
+  return textList(std::vector<std::string>(paths.begin(), paths.end()));
 }
 
 }  // namespace
@@ -50,8 +47,8 @@ void loadRecent(const fs::path& folder, UiState& ui) {
   try {
     const JsonValue json =
         parseJson(readFile(recentFile(folder), std::size_t{1} << 20).view(), recentFile(folder).string());
-    append(json, "levels", ui.recentLevels, 10);
-    append(json, "folders", ui.recentFolders, 6);
+    append(json, "levels", ui.recentLevels, maxRecentLevels);
+    append(json, "folders", ui.recentFolders, maxRecentFolders);
   } catch (const Error&) {
     // Nobody's work: it is written anew with the next level.
   }

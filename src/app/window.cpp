@@ -23,6 +23,7 @@
 #include "app/state_log.h"
 #include "app/window_files.h"
 #include "base/error.h"
+#include "base/folder.h"
 #include "base/language.h"
 #include "edit/level_files.h"
 #include "gl/load_gl.h"
@@ -45,6 +46,7 @@ static_assert(keys::escape == GLFW_KEY_ESCAPE && keys::tab == GLFW_KEY_TAB && ke
 
 constexpr double livelySeconds = 0.8;  // after an event: tooltips appear, hover colours change
 constexpr double livelyStep = 1.0 / 30;
+constexpr double playingStep = 1.0 / 30;  // while a clock of the panels runs
 
 std::string lastGlfwError() {
   const char* text = nullptr;
@@ -113,9 +115,8 @@ int keyByItsCap(int key, int code) {
 // Where F12 puts its pictures: beside the user's other pictures, never over an older one.
 std::filesystem::path freshScreenshotPath() {
   namespace fs = std::filesystem;
-  const char* home = std::getenv("HOME");
   std::error_code ignored;
-  fs::path folder = home && *home ? fs::path(home) : fs::current_path(ignored);
+  fs::path folder = homeFolder();
   if (fs::is_directory(folder / "Pictures", ignored)) folder /= "Pictures";
   for (int i = 1;; ++i) {
     fs::path path = folder / fmt::format("anamorph-{:03}.png", i);
@@ -159,7 +160,7 @@ class MainWindow {
       if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
         // The question about unsaved changes has to be seen.
         if (desk_->ui().requests.quit) glfwRestoreWindow(handle_.get());
-        glfwWaitEvents();
+        waitUnseen();
         continue;
       }
       drawFrame();
@@ -170,6 +171,14 @@ class MainWindow {
   const Preferences& preferences() { return desk_->ui().preferences; }
 
  private:
+  // Nothing is drawn, but what is not saved has to be kept.
+  void waitUnseen() {
+    const double now = glfwGetTime();
+    files_->update(now);
+    const auto due = files_->secondsUntilDue(now);
+    due ? glfwWaitEventsTimeout(*due + 0.01) : glfwWaitEvents();
+  }
+
   // Events come at once; without any the next frame is drawn when something is unfinished or due.
   void waitForWork() {
     const double now = glfwGetTime();
@@ -179,6 +188,7 @@ class MainWindow {
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(desk_->work().studio.secondsUntilDue().value_or(0.1) + 0.01);
     }
+    if (desk_->isPlaying()) return glfwWaitEventsTimeout(playingStep);
     if (framesOwed_ > 0) {
       --framesOwed_;
       return glfwPollEvents();

@@ -1,5 +1,6 @@
 #include "app/window_files.h"
 
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -55,7 +56,10 @@ void WindowFiles::answer(const RecoveryAnswer& answer) {
 bool WindowFiles::restore(Rescued& rescued) {
   Workspace& work = desk_.work();
   try {
-    work.session.recover(rescued.levelPath, rescued.level);
+    std::error_code failure;
+    const auto kept = std::filesystem::last_write_time(rescued.file, failure);
+    work.session.recover(rescued.levelPath, rescued.level,
+                         failure ? std::filesystem::file_time_type::max() : kept);
     lookAfresh(work);
     autosave_.writeNow(work.session);
     discard(rescued);

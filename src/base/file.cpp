@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <random>
 #include <utility>
 
 #include "base/error.h"
@@ -23,6 +24,15 @@ constexpr std::string_view temporaryName = ".anamorph-XXXXXX";
 
 std::string systemReason() {
   return std::strerror(errno);
+}
+
+std::string freshTemporaryName() {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  std::random_device random;
+  std::uniform_int_distribution<std::size_t> any(0, letters.size() - 1);
+  std::string name(temporaryName);
+  for (std::size_t i = name.find('X'); i < name.size(); ++i) name[i] = letters[any(random)];
+  return name;
 }
 
 // Closes on every way out of readFile.
@@ -95,15 +105,16 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   }
   if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(systemReason());
 
-  std::string name = target_.parent_path() / temporaryName;
-  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) fail(systemReason());
-  temporary_ = name;
-  // mkstemp makes the file private; give it the old file's mode, or what the umask says for a new one.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const mode_t mode = fs::exists(status) ? static_cast<mode_t>(status.permissions()) : (0666 & ~mask);
-  ::fchmod(descriptor_, mode);
+  // A new file is made with what the umask leaves (mkstemp's would be private); an old one keeps its mode.
+  do {
+    temporary_ = target_.parent_path() / freshTemporaryName();
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    fail(systemReason());
+  }
+  if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()));
 }
 
 AtomicFile::~AtomicFile() {

@@ -67,6 +67,12 @@ void makeFolder(const std::filesystem::path& folder) {
   if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
 }
 
+std::string lowerEnding(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
+  return ending;
+}
+
 fs::path homeFolder() {
   const char* home = std::getenv("HOME");
   return home && *home ? fs::path(home) : fs::path("/");

@@ -32,4 +32,7 @@ void makeFolder(const std::filesystem::path& folder);
 /// $HOME, else the root.
 std::filesystem::path homeFolder();
 
+/// What a name ends in, in small letters: ".png" of "A.PNG"; empty for a name without a dot.
+std::string lowerEnding(const std::filesystem::path& path);
+
 }  // namespace anamorph

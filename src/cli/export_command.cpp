@@ -22,6 +22,7 @@ struct ExportOptions {
   bool check = false;
   double millimetresPerUnit = 10;
   std::optional<double> basePlate;
+  double plateMargin = BasePlateSettings{}.margin;
   std::string page = "A4";
   std::string scale = "fit";
   std::string rays;  // empty: .obj is the sculpture
@@ -81,7 +82,7 @@ ExportRequest makeRequest(const ExportOptions& options, const std::string& path)
   request.kind = *kind;
   request.path = path;
   request.millimetresPerUnit = options.millimetresPerUnit;
-  if (options.basePlate) request.basePlate = BasePlateSettings{.thickness = *options.basePlate};
+  if (options.basePlate) request.basePlate = BasePlateSettings{*options.basePlate, options.plateMargin};
   request.paper = papers.at(options.page);
   request.sheetScale = parseScale(options.scale);
   request.picture = pictures.at(options.picture);
@@ -109,12 +110,6 @@ std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
     throw UsageError("--rays: expected an output file that ends in .obj");
   }
   return requests;
-}
-
-JsonValue textList(const std::vector<std::string>& texts) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
-  for (const std::string& text : texts) list.items.push_back({JsonValue::Kind::string, text, 0, {}, {}});
-  return list;
 }
 
 // Writes the files; what was written, and what is to be known of it, as JSON.
@@ -185,6 +180,11 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("--base-plate", options->basePlate,
                    "Thickness in mm of a plate under the sculpture, on posts")
       ->check(numberFrom(0.2, 100));
+  command
+      ->add_option("--plate-margin", options->plateMargin,
+                   "How far the base plate goes beyond the sculpture's outline, in mm (default 3)")
+      ->check(numberFrom(0, 1000))
+      ->needs("--base-plate");
   command->add_option("--page", options->page, "Paper of the viewing sheet: A4 (default), A3 or letter")
       ->check(CLI::IsMember({"A4", "A3", "letter"}));
   command->add_option("--scale", options->scale,

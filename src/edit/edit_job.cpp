@@ -9,7 +9,7 @@
 namespace anamorph {
 
 void EditJob::start(const Session& session, std::string name, Make make) {
-  started_ = Start{session.level(), session.generation()};
+  started_ = Start{session.level(), session.path(), session.generation()};
   name_ = std::move(name);
   results_ =
       std::make_shared<Mailbox<EditResult>>();  // one that is cancelled may still deliver, to the old one
@@ -36,10 +36,11 @@ std::optional<std::string> EditJob::update(Session& session) {
   }
   auto result = results_->take();
   if (!result) return std::nullopt;
-  const Level before = std::move(started_->level);
+  // Names of files in a level are relative to its own.
+  const bool same = session.level() == started_->level && session.path() == started_->path;
   started_.reset();
   if (!result->level) return result->message;
-  if (!(session.level() == before))
+  if (!same)
     return fmt::format(fmt::runtime(tr("{}: the level has been changed meanwhile, so nothing was done.")),
                        name_);
   session.edit(std::move(*result->level));

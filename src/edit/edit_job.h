@@ -3,6 +3,7 @@
 // level has been changed meanwhile it comes too late: it would undo that change.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -43,6 +44,7 @@ class EditJob {
  private:
   struct Start {
     Level level;
+    std::filesystem::path path;
     int generation;
   };
   std::optional<Start> started_;

@@ -2,15 +2,13 @@
 // is what it looks like, as plain shapes in pixels, and which handle is under the mouse; what dragging one
 // does is in gizmo_drag.h.
 //
-//      z               It has the same size on the screen wherever it stands. A handle that could not be
-//      dragged well |  [yz]         is left out: an axis seen end-on, a plane seen edge-on. Of a ring the
-//      half behind is dim.
-//      |
-//      o------ y       Move: arrows, planes, a circle for the plane of the picture. Rotate: three rings and
-//      one
-//     /                around them, in the plane of the picture. Scale: boxes, planes, a box in the middle
-//     for all.
-//    x  [xy]
+//      z              It has the same size on the screen wherever it stands. A handle that could not be
+//      |  [yz]        dragged well is left out: an axis seen end-on, a plane seen edge-on. Of a ring the half
+//      |              behind is dim.
+//      o------ y
+//     /               Move: arrows, planes, a circle for the plane of the picture. Rotate: three rings and one
+//    x  [xy]          around them, in the plane of the picture. Scale: boxes, planes, a box in the middle for
+//                     all.
 #pragma once
 
 #include <vector>

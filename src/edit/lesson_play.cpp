@@ -50,9 +50,7 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
 Level begun(const StepMove& move, const Workspace& work) {
   Level level = work.session.level();
   if (!move.shape.empty()) {
-    const auto& original = work.studio.products().original.mesh;
-    const Box box = original ? boundingBox(original->positions) : Box{};
-    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), box);
+    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), originalBox(work));
   }
   if (!move.mirrorKind.empty()) {
     level.optic.shape =

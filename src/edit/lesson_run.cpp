@@ -67,6 +67,7 @@ void takeUpLesson(Workspace& work) {
   LessonRun& run = work.lesson;
   run = {};
   run.generation = work.session.generation();
+  run.text = work.session.level().lesson;
   run.lesson = parseLesson(work.session.level().lesson, work.session.path().string());
   run.step = whereToGoOn(run.lesson, work.progress);
   beginStep(work);
@@ -125,7 +126,10 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
     case StepEvent::hiddenShareAbove:
       return judged(work, [&](const MatchReport& r) { return r.hiddenShare > condition.value; });
     case StepEvent::hiddenShareBelow:
-      return judged(work, [&](const MatchReport& r) { return r.hiddenShare <= condition.value; });
+      // Where nothing is seen, nothing is hidden either: that is not what is asked for.
+      return judged(work, [&](const MatchReport& r) {
+        return r.comparedPixels > 0 && r.hiddenShare <= condition.value;
+      });
     case StepEvent::putRight:
       return rests && isRight(level.sculpture.mistakes, condition.what);
     case StepEvent::undone:
@@ -138,7 +142,7 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
 
 bool advanceLesson(Workspace& work) {
   LessonRun& run = work.lesson;
-  if (run.generation != work.session.generation()) {
+  if (run.generation != work.session.generation() || run.text != work.session.level().lesson) {
     takeUpLesson(work);
     return true;
   }

@@ -52,6 +52,7 @@ struct LessonRun {
   /// has to be seen false first.
   std::vector<bool> wasFalse, seen;
   int generation = 0;            ///< of the session that the lesson is of
+  std::string text;              ///< of the lesson in the level, which may be pasted or undone
   std::optional<StepPlay> play;  ///< "show me" at work
 
   bool empty() const { return lesson.steps.empty(); }

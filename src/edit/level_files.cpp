@@ -55,8 +55,8 @@ Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
 
 std::string windowTitle(const Session& session) {
   const fs::path& path = session.path();
-  std::string title = session.level().title;
-  if (!path.empty() && !isInstalledLevel(path)) {
+  std::string title = tr(session.level().title);
+  if (!path.empty() && !session.isInstalled()) {
     const std::string file = path.filename().string();
     title = title.empty() ? file : title + " (" + file + ")";
   }

@@ -1,11 +1,10 @@
 // Navigation of the 3D view: how mouse and keys change from where it is seen. Every function takes a pose and
 // returns the next one; nothing is remembered between them.
 //
-//          pole (z)                The eye turns about the pole and over the right-hand axis of the picture,
-//          so the
-//            |   eye               horizon stays level. A pose that is not level (one that looks through a
-//            tilted RT |  /                  camera) turns about its own `up` instead and so starts without a
-//            jump; upright() | / distance          and the sides of viewFrom() bring z up again.
+//          pole (z)               The eye turns about the pole and over the right-hand axis of the picture, so
+//            |   eye              the horizon stays level. A pose that is not level (one that looks through a
+//            |  /                 tilted RT camera) turns about its own `up` instead and so starts without a
+//            | / distance         jump; upright() and the sides of viewFrom() bring z up again.
 //          target --- right
 //
 // Whatever is given, also an eye at its target or numbers that are not finite, a sound pose is returned.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "edit/level_edits.h"
@@ -89,13 +88,9 @@ struct Resize {
   bool operator()(FileShape&) const { return false; }
 };
 
-// How large `own` may become in `room`; sides without extent do not count.
-double factorInto(const Box& own, const Box& room) {
-  double factor = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (own.size()[axis] > 0) factor = std::min(factor, room.size()[axis] / own.size()[axis]);
-  }
-  // A level has room for scales from a millionth to a million.
+// A level has room for scales from a millionth to a million.
+double scaleInto(const Box& own, const Box& room) {
+  const double factor = factorInto(own, room);
   return factor >= 1e-6 && factor <= 1e6 ? factor : 1;
 }
 
@@ -132,7 +127,7 @@ Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, co
   original.placement.rotationDegrees = Vector(0);
   original.placement.scale = Vector(1);
   if (!own.empty() && !box.empty()) {
-    const double factor = factorInto(own, box);
+    const double factor = scaleInto(own, box);
     original.placement.position = clampedPoint(box.centre() - factor * own.centre());
     if (!std::visit(Resize{factor}, shape)) original.placement.scale = Vector(factor);
   }

@@ -40,8 +40,7 @@ void Session::open(const std::filesystem::path& path) {
 }
 
 void Session::begin(std::filesystem::path path, Level level) {
-  path_ = std::move(path);
-  isThesisScene_ = false;
+  setPath(std::move(path));
   written_.reset();
   warnings_.clear();
   level_ = std::move(level);
@@ -52,16 +51,24 @@ void Session::begin(std::filesystem::path path, Level level) {
   ++generation_;
 }
 
+void Session::setPath(std::filesystem::path path) {
+  path_ = std::move(path);
+  isInstalled_ = !path_.empty() && isInstalledLevel(path_);
+  isThesisScene_ = false;
+}
+
 void Session::startNew(Level level) {
   begin({}, std::move(level));
 }
 
-void Session::recover(const std::filesystem::path& file, Level level) {
+void Session::recover(const std::filesystem::path& file, Level level, std::filesystem::file_time_type kept) {
   try {
     if (file.empty()) throw Error("no file");
     open(file);
+    if (written_ && *written_ > kept) written_ = kept;
   } catch (const Error&) {
     begin(file, Level());
+    written_ = std::filesystem::file_time_type::min();
   }
   edit(std::move(level));
 }
@@ -75,8 +82,7 @@ void Session::saveTo(const std::filesystem::path& path) {
   for (Level& step : undo_) step = moved(step);
   for (Level& step : redo_) step = moved(step);
   level_ = saved_ = std::move(level);
-  path_ = path;
-  isThesisScene_ = false;
+  setPath(path);
   written_ = timeOf(path);
 }
 

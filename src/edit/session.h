@@ -29,8 +29,10 @@ class Session {
   /// A level that has no file yet, with a history of its own.
   void startNew(Level level);
   /// What was rescued of an earlier session: `file` as it is on disk (a new level where it is empty or cannot
-  /// be read any more), and one step to `level`.
-  void recover(const std::filesystem::path& file, Level level);
+  /// be read any more), and one step to `level`. A file that cannot be read, or was written after `kept`, when
+  /// the level was rescued, counts as changed by another program.
+  void recover(const std::filesystem::path& file, Level level,
+               std::filesystem::file_time_type kept = std::filesystem::file_time_type::max());
   /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
   /// that goes on is finished first. Throws Error and leaves everything as it was, the file too.
   void saveTo(const std::filesystem::path& path);
@@ -40,6 +42,8 @@ class Session {
   const std::filesystem::path& path() const { return path_; }
   /// Whether the file is a scene of the thesis, which a level cannot replace.
   bool isThesisScene() const { return isThesisScene_; }
+  /// Whether it is one of the program's own levels, which are not written to.
+  bool isInstalled() const { return isInstalled_; }
   /// Whether the file on disk is another one than was opened or saved last: another program wrote it. A file
   /// that is gone has not been changed.
   bool isFileChanged() const;
@@ -74,9 +78,10 @@ class Session {
 
  private:
   void begin(std::filesystem::path path, Level level);
+  void setPath(std::filesystem::path path);
 
   std::filesystem::path path_;
-  bool isThesisScene_ = false;
+  bool isInstalled_ = false, isThesisScene_ = false;
   std::optional<std::filesystem::file_time_type> written_;  // the file, when it was opened or saved last
   Level level_, saved_;
   std::vector<std::string> warnings_;

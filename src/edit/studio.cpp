@@ -286,8 +286,12 @@ void Studio::cancel() {
   cancelled_ = true;
 }
 
-void Studio::finish(const Session& session, const StudioOptions& options) {
+void Studio::restart() {
   if (std::exchange(cancelled_, false)) requested_.reset();
+}
+
+void Studio::finish(const Session& session, const StudioOptions& options) {
+  restart();
   do {
     update(session, options);
     if (products_.complete) return;

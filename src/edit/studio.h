@@ -71,6 +71,8 @@ class Studio {
   std::optional<double> secondsUntilDue() const;
   /// Stops the worker; what is missing stays missing until the level changes.
   void cancel();
+  /// Begins anew what was cancelled.
+  void restart();
 
   /// update() until all is complete or has failed, for screenshots and tests.
   void finish(const Session& session, const StudioOptions& options);

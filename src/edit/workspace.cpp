@@ -46,7 +46,7 @@ void extendBy(Box& box, const Box& other) {
   box.extend(other.max);
 }
 
-Box meshBox(const PreparedMesh& mesh) {
+Box boxOf(const PreparedMesh& mesh) {
   return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
 }
 
@@ -123,10 +123,17 @@ void toggleLookThrough(Workspace& work) {
   work.lookingThrough = true;
 }
 
+Box originalBox(const Workspace& work) {
+  return boxOf(work.studio.products().original);
+}
+
+Box sculptureBox(const Workspace& work) {
+  return boxOf(work.studio.products().sculpture.prepared);
+}
+
 Box boxOf(const Workspace& work, const Selection& selection) {
-  const Products& products = work.studio.products();
   const Level& level = work.session.level();
-  const Box original = meshBox(products.original), sculpture = meshBox(products.sculpture.prepared);
+  const Box original = originalBox(work), sculpture = sculptureBox(work);
   if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
   Box box = mirrorBox(level);
   extendBy(box, original);

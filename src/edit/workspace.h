@@ -93,6 +93,10 @@ void takeOverView(Workspace& work);
 /// To the RT camera's place, and back to where it began.
 void toggleLookThrough(Workspace& work);
 
+/// Of the placed original and of the sculpture as they are shown; empty when there is none.
+Box originalBox(const Workspace& work);
+Box sculptureBox(const Workspace& work);
+
 /// The box of what is selected, of everything when nothing is.
 Box boxOf(const Workspace& work, const Selection& selection);
 

@@ -76,9 +76,9 @@ Mesh makePlate(const std::vector<Point2>& outline, double bottom, double thickne
 // Looks for places of posts below the sculpture and beside the mirror.
 class Underside {
  public:
-  Underside(const Mesh& sculpture, const Mesh& mirror, double plateTop)
+  Underside(const Mesh& sculpture, const Mesh& mirror, double plateMiddle)
       : box_(boundingBox(sculpture.positions)),
-        start_(plateTop),
+        start_(plateMiddle),
         sculpture_(sculpture.positions, sculpture.triangles),
         mirror_(mirror.positions, mirror.triangles) {}
 
@@ -228,8 +228,8 @@ BasePlate makeBasePlate(const Mesh& sculpture, const Mesh& mirror, double table,
   if (floats) addPosts(Underside(sculpture, mirror, table + 0.5 * settings.thickness), plate);
   if (meet(plate.mesh, mirror)) {
     throw Error(
-        "no base plate fits under this sculpture: it would meet the mirror. Make its margin smaller, "
-        "or leave it out");
+        "no base plate fits under this sculpture: it would meet the mirror. Leave it out, or make its "
+        "margin smaller");
   }
   return plate;
 }

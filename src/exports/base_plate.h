@@ -1,12 +1,10 @@
 // A base plate that the sculpture is printed with, and stands on.
 //
 //          ____                       It lies on the table and bears the sculpture on posts that reach a
-//          little
-//         /____\   sculpture          into it. A sculpture that stands on the table itself gets the plate
-//          |  |    posts              below it, let into the table.
+//         /____\   sculpture          little into it. A sculpture that stands on the table itself gets
+//          |  |    posts              the plate below it, let into the table.
 //       ===+==+=== plate              Plate, posts and sculpture are closed shells that overlap: slicers
-//       unite
-//     ---------------- table          them.
+//     ---------------- table          unite them.
 #pragma once
 
 #include <vector>

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder.h"
 #include "base/language.h"
 #include "exports/match_report_files.h"
 #include "exports/page_file.h"
@@ -22,15 +23,6 @@ namespace {
 
 constexpr double hiddenWorthSaying = 0.005;  // share of the pixels
 
-// Endings in small letters.
-std::string endingOf(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return ending;
-}
-
 bool isOneOf(const std::string& ending, std::initializer_list<const char*> endings) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
@@ -38,7 +30,7 @@ bool isOneOf(const std::string& ending, std::initializer_list<const char*> endin
 // Files of another kind than their ending says would not open.
 void checkEnding(const ExportRequest& request) {
   auto kind = findExportKind(request.path);
-  if (request.kind == ExportKind::rays && endingOf(request.path) == ".obj") kind = ExportKind::rays;
+  if (request.kind == ExportKind::rays && lowerEnding(request.path) == ".obj") kind = ExportKind::rays;
   if (kind != request.kind) {
     throw Error(std::string("expected a file name that ends in ") + exportEndings(request.kind),
                 request.path.string());
@@ -80,6 +72,7 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
   file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
                              shapeName(finished.level.optic.shape), surfaceName(finished.level.optic),
                              request.millimetresPerUnit);
+  if (progress.cancelled()) return std::nullopt;
   saveMesh(request.path, mesh, file);
   return summary;
 }
@@ -90,8 +83,10 @@ std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const Exp
   if (!progress.update(0.3)) return std::nullopt;
   const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
   if (!progress.update(0.8)) return std::nullopt;
-  const bool pdf = endingOf(request.path) == ".pdf";
-  writeFile(request.path, encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg));
+  const bool pdf = lowerEnding(request.path) == ".pdf";
+  const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
+  if (progress.cancelled()) return std::nullopt;
+  writeFile(request.path, page);
   return ExportSummary{
       fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
       findPlateWarnings(finished, arrangement)};
@@ -114,7 +109,7 @@ std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const Exp
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
-  if (endingOf(request.path) == ".json") {
+  if (lowerEnding(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
     writeFile(request.path, formatJson(matchJson(match.report, counts)));
     return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
@@ -125,9 +120,10 @@ std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const Exp
   auto original = makePicture(finished, PictureKind::original, image, nullptr, partOf(progress, 0.8, 1));
   if (!reflection || !original) return std::nullopt;
   Image difference = markDifferences(*original, match);
-  writeFile(request.path,
-            makeMatchPage(finished, match.report,
-                          {std::move(*reflection), std::move(*original), std::move(difference)}));
+  const std::string page = makeMatchPage(
+      finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
+  if (progress.cancelled()) return std::nullopt;
+  writeFile(request.path, page);
   return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
 }
 
@@ -149,7 +145,7 @@ std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const E
 }  // namespace
 
 std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
-  const std::string ending = endingOf(path);
+  const std::string ending = lowerEnding(path);
   if (isMeshFile(path)) return ExportKind::sculpture;
   if (isOneOf(ending, {".pdf", ".svg"})) return ExportKind::viewingSheet;
   if (isOneOf(ending, {".html", ".json"})) return ExportKind::matchReport;

@@ -51,7 +51,7 @@ std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads, const Progre
   const Mesh welded = weldPositions(mesh).mesh;
   check.box = boundingBox(mesh.positions);
   check.vertices = welded.positions.size();
-  check.triangles = welded.triangles.size();
+  check.triangles = mesh.triangles.size();  // those that lose their area by the welding, too
   if (!progress.update(0.05)) return std::nullopt;
   check.topology = measureTopology(welded);
   check.volume = signedVolume(welded);
@@ -185,10 +185,7 @@ JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
   if (topology.isSound()) object.add("volumeMm3", check.volume);
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
   object.add("printable", problems.empty());
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
-  for (const std::string& problem : problems)
-    list.items.push_back({JsonValue::Kind::string, problem, 0, {}, {}});
-  object.add("problems", list);
+  object.add("problems", textList(problems));
   return object.value();
 }
 

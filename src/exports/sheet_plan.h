@@ -1,12 +1,11 @@
 // The middle of the viewing sheet: mirror, sculpture and eye seen from above, with their distances.
 //
-//          |<-- mirror -->|            A strip of the page above and below belongs to the widths, one to the
-//             .-----.     _            right to the distances from the middle of the mirror; the lowest is
-//             the
-//            |   +   | - - - - - -     eye's: its place, or an arrow where the page is too short for it.
-//             '-----'      |   |
-//           .--. | .--.  __|   |       The middle cross is below the mirror's middle.
-//           '---------'  ______|
+//          |<-- mirror -->|            A strip of the page above and below belongs to the widths, one to
+//             .-----.     _            the right to the distances from the middle of the mirror; the lowest
+//            |   +   | - - - - - -     is the eye's: its place, or an arrow where the page is too short for
+//             '-----'      |   |       it.
+//           .--. | .--.  __|   |
+//           '---------'  ______|       The cross is below the mirror's middle.
 //       |<----->|<----->|
 //               x eye
 #pragma once

@@ -68,11 +68,10 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
   const Box mirror = boundingBox(arrangement.mirrorSurface.positions);
   const Box sculpture = boundingBox(arrangement.sculpture.positions);
   std::vector<SheetStep> steps;
-  steps.push_back({"Paper",
-                   scale == 1
-                       ? "Print at 100 % and compare the ruler below with a real one. Lengths are in mm."
-                       : "Smaller than life: set up by the figures, which are true lengths in mm.",
-                   ink::black});
+  std::string paper = "Print at 100 % and compare the ruler below with a real one. Lengths are in mm.";
+  if (scale > 1) paper = "Smaller than life: set up by the figures, which are true lengths in mm.";
+  if (scale < 1) paper = "Larger than life: set up by the figures, which are true lengths in mm.";
+  steps.push_back({"Paper", paper, ink::black});
   if (arrangement.hasMirror) {
     const DescribeMirror describe{arrangement, mirror.min.z - arrangement.table};
     steps.push_back({"Mirror", std::visit(describe, arrangement.mirror), ink::blue});

@@ -195,7 +195,7 @@ const char* paperName(Paper paper) {
 ViewingSheet makeViewingSheet(const FinishedLevel& finished, const Arrangement& arrangement, Paper paper,
                               std::optional<double> scale) {
   const SheetPlan plan = makeSheetPlan(arrangement);
-  // The words for a smaller scale are the longer ones or as long, so what fits with them fits.
+  // The words for 1 : 1 are the longest, so what fits with them fits.
   const std::vector<SheetStep> steps = makeSheetSteps(arrangement, scale.value_or(1));
   const Layout upright = layUpright(sizeOf(paper), steps), across = layAcross(sizeOf(paper), steps);
   std::optional<Choice> choice;

@@ -4,9 +4,8 @@
 //      ___________
 //     |  |        \       The points lie evenly over the area (by number, not by chance), so that the first
 //     |  v t       \      percentile means: 99 % of the walls are thicker. Towards an edge every solid gets
-//     |__*__________\     thinner; that is no wall, so surfaces that lean to each other by more than 53
-//     degrees
-//                         (a cosine of 0.6) are not counted.
+//     |__*__________\     thinner; that is no wall, so sides that lean to each other by more than 30 degrees
+//                         are not counted.
 #pragma once
 
 #include <optional>

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/folder.h"
 #include "geometry/obj_reader.h"
 #include "geometry/obj_writer.h"
 #include "geometry/ply_reader.h"
@@ -21,10 +22,7 @@ namespace {
 enum class Format { obj, stl, ply };
 
 std::optional<Format> findFormat(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string ending = lowerEnding(path);
   if (ending == ".obj") return Format::obj;
   if (ending == ".stl") return Format::stl;
   if (ending == ".ply") return Format::ply;

@@ -15,6 +15,12 @@ JsonValue numberJson(double number) {
 
 }  // namespace
 
+JsonValue textList(const std::vector<std::string>& texts) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  for (const std::string& text : texts) list.items.push_back({JsonValue::Kind::string, text, 0, {}, {}});
+  return list;
+}
+
 JsonObject& JsonObject::add(const std::string& key, JsonValue value) {
   value_.keys.push_back(key);
   value_.items.push_back(std::move(value));

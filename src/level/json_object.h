@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "level/json.h"
 #include "math/vec.h"
 
 namespace anamorph {
+
+/// An array of strings.
+JsonValue textList(const std::vector<std::string>& texts);
 
 /// A JSON object built member by member. Numbers that are not finite become null.
 class JsonObject {

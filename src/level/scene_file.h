@@ -1,7 +1,6 @@
 // The scene files of the thesis (appendix A) and of its framework: "Eye" and "Objects", of which one is the
-// mirror
-// ("quad", "cylinder" or "sphere") and one tells where the mesh stands. Read as they are, the same keys in
-// the same case, as strictly as a level. They are never written.
+// mirror ("quad", "cylinder" or "sphere") and one tells where the mesh stands. Read as they are, the same keys
+// in the same case, as strictly as a level. They are never written.
 #pragma once
 
 #include "level/field_reader.h"

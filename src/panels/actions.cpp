@@ -31,6 +31,7 @@ void openNeighbour(const Workspace& work, UiState& ui, int offset) {
 
 // The export window by keys alone: the kind, and on to the file.
 bool exportKey(int key, ExportDialog& dialog) {
+  if (dialog.running) return false;
   if (key == keys::enter || key == keys::padEnter) {
     dialog.saveAsked = true;
   } else if (key == keys::left || key == keys::right) {
@@ -88,6 +89,7 @@ bool hasNextLevel(const Workspace& work, const UiState& ui) {
 
 bool isOpen(const Workspace& work, const LevelEntry& entry) {
   std::error_code ignored;
+  if (entry.path.filename() != work.session.path().filename()) return false;  // asks no disk
   return std::filesystem::equivalent(entry.path, work.session.path(), ignored);
 }
 

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t maxRecentFolders = 6;
-
 struct Place {
   std::string name;
   fs::path folder;

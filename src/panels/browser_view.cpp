@@ -206,14 +206,16 @@ void drawFileBrowser(UiState& ui) {
   FileBrowser& b = ui.browser;
   const bool fieldWasEmpty = b.text.empty();
   if (!beginDialog(ui, purposeTexts(b.purpose).title, 760, 520)) return;
-  if (const auto folder = drawPathRow(ui)) enterFolder(b, *folder);
   const float below = footerHeight(b);
+  ImGui::BeginDisabled(!b.replace.empty());  // the question is about what is shown
+  if (const auto folder = drawPathRow(ui)) enterFolder(b, *folder);
   if (placesAreBeside(ui)) {
     if (const auto folder = drawPlaces(ui, below)) enterFolder(b, *folder);
     ImGui::SameLine();
   }
   chooseShown(b);
   const int rows = drawList(ui, {0, -below});
+  ImGui::EndDisabled();
   drawFooter(ui);
   if (b.open) handleBrowserKeys(ui, fieldWasEmpty, rows);
   chooseShown(b);

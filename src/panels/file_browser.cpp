@@ -22,7 +22,7 @@ std::string lower(std::string text) {
 }
 
 bool hasEnding(const PurposeTexts& purpose, const std::string& name) {
-  const std::string ending = lower(fs::path(name).extension().string());
+  const std::string ending = lowerEnding(name);
   return std::any_of(purpose.endings.begin(), purpose.endings.end(),
                      [&](const char* known) { return ending == known; });
 }
@@ -157,6 +157,7 @@ void enterFolder(FileBrowser& b, const fs::path& path) {
   b.folder = folder;
   b.listing = std::move(listing);
   b.problem.clear();
+  b.replace.clear();
   if (!purposeTexts(b.purpose).saves) setBrowserText(b, "");
   b.takeFocus = true;
   b.shownFor.clear();
@@ -165,7 +166,7 @@ void enterFolder(FileBrowser& b, const fs::path& path) {
   if (before.parent_path() == folder) select(b, before.filename().string());  // gone up: where from
 }
 
-// Enter, or the button.
+// As soon as a folder and a / have been typed.
 void enterTypedFolder(FileBrowser& b) {
   const std::size_t slash = b.text.rfind('/');
   if (slash == std::string::npos) return;
@@ -179,6 +180,7 @@ void enterTypedFolder(FileBrowser& b) {
   b.caretToEnd = true;
 }
 
+// Enter, or the button.
 void acceptChoice(UiState& ui) {
   FileBrowser& b = ui.browser;
   b.problem.clear();

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "base/language.h"
 #include "edit/level_files.h"
 #include "edit/replacements.h"
@@ -33,7 +34,7 @@ void finishEdits(Workspace& work, UiState& ui) {
 // Where a level of one's own may go: beside the last one, never among the installed ones.
 fs::path proposedFile(const Workspace& work, const UiState& ui) {
   const fs::path& path = work.session.path();
-  const bool own = !path.empty() && !isInstalledLevel(path);
+  const bool own = !path.empty() && !work.session.isInstalled();
   if (own && !work.session.isThesisScene()) return path;
   const fs::path name = path.empty() ? fs::path("level.json") : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
@@ -83,12 +84,13 @@ void grant(const UnsavedQuestion& wish, UiRequests& requests) {
 void chooseLevel(Workspace& work, UiState& ui) {
   finishEdits(work, ui);
   const fs::path& path = work.session.path();
-  browseFiles(ui, FilePurpose::openLevel, isInstalledLevel(path) ? fs::path() : path);
+  browseFiles(ui, FilePurpose::openLevel, work.session.isInstalled() ? fs::path() : path);
 }
 
 void saveCurrent(Workspace& work, UiState& ui) {
   const fs::path path = work.session.path();
-  if (path.empty() || work.session.isThesisScene() || isInstalledLevel(path)) return saveCurrentAs(work, ui);
+  if (path.empty() || work.session.isThesisScene() || work.session.isInstalled())
+    return saveCurrentAs(work, ui);
   finishEdits(work, ui);
   if (!work.session.isFileChanged()) return saveTo(path, work, ui);
   browseFiles(ui, FilePurpose::saveLevel, path);
@@ -113,8 +115,7 @@ void chooseOriginal(Workspace& work, UiState& ui) {
 
 void importOriginal(Workspace& work, const fs::path& mesh) {
   work.session.finishChange();
-  const Products& products = work.studio.products();
-  const Box box = products.original.mesh ? boundingBox(products.original.mesh->positions) : Box{};
+  const Box box = originalBox(work);
   const bool keepSize = work.session.isThesisScene() && !work.session.canUndo();
   const std::string name = meshNameFor(mesh, work.session.path());
   const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
@@ -145,7 +146,7 @@ void importOriginal(Workspace& work, const fs::path& mesh) {
 void acceptFiles(const std::vector<fs::path>& files, Workspace& work, UiState& ui) {
   for (const fs::path& file : files) {
     if (isMeshFile(file)) return importOriginal(work, file);
-    if (file.extension() == ".json" || file.extension() == ".JSON") {
+    if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
     }
@@ -177,7 +178,6 @@ void pasteLevel(Workspace& work, UiState& ui) {
 }
 
 void rememberLevel(UiState& ui, const fs::path& path) {
-  constexpr std::size_t most = 10;
   if (path.empty() || isInstalledLevel(path)) return;
   std::error_code failure;
   fs::path whole = fs::absolute(path, failure).lexically_normal();
@@ -185,7 +185,7 @@ void rememberLevel(UiState& ui, const fs::path& path) {
   auto& levels = ui.recentLevels;
   levels.erase(std::remove(levels.begin(), levels.end(), whole), levels.end());
   levels.insert(levels.begin(), whole);
-  if (levels.size() > most) levels.resize(most);
+  if (levels.size() > maxRecentLevels) levels.resize(maxRecentLevels);
   rememberFolder(ui, whole.parent_path());
 }
 

@@ -28,19 +28,9 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
 
 }  // namespace
 
-Box originalBox(const Workspace& work) {
+void fitOriginal(Workspace& work, UiState& ui) {
   const auto& mesh = work.studio.products().original.mesh;
-  return mesh ? boundingBox(mesh->positions) : Box{};
-}
-
-void fitButton(Workspace& work, UiState& ui) {
-  const auto& mesh = work.studio.products().original.mesh;
-  if (!wideButton(
-          "Fit to the mirror",
-          "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
-          mesh != nullptr)) {
-    return;
-  }
+  if (!mesh) return;
   work.session.finishChange();
   if (auto fitted = originalFittedToMirror(work.session.level(), mesh->positions)) {
     work.session.edit(std::move(*fitted));
@@ -49,6 +39,15 @@ void fitButton(Workspace& work, UiState& ui) {
         "No size will do",
         tr("The eye does not see the middle of the original in the mirror. Put the original behind the "
            "mirror first.")};
+  }
+}
+
+void fitButton(Workspace& work, UiState& ui) {
+  if (wideButton(
+          "Fit to the mirror",
+          "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
+          work.studio.products().original.mesh != nullptr)) {
+    fitOriginal(work, ui);
   }
 }
 

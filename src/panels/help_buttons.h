@@ -7,9 +7,6 @@
 
 namespace anamorph {
 
-/// Of the placed original as it is shown; empty when there is none.
-Box originalBox(const Workspace& work);
-
 /// Makes the original as large as the mirror allows; a notice when no size will do.
 void fitButton(Workspace& work, UiState& ui);
 /// Puts the original behind the mirror.
@@ -18,7 +15,8 @@ void behindButton(Workspace& work);
 /// it is and a way to stop it.
 void liftButton(Workspace& work);
 
-/// The same search without a button.
+/// The same without a button.
+void fitOriginal(Workspace& work, UiState& ui);
 void startLift(Workspace& work);
 
 }  // namespace anamorph

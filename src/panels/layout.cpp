@@ -6,7 +6,7 @@ namespace anamorph {
 namespace {
 
 constexpr float menuHeight = 30, statusHeight = 26;
-constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 120, smallestLesson = 250;
+constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 160, smallestLesson = 250;
 
 // Side panels give way before they go: each gives its share of what the view lacks.
 void squeeze(float& left, float& right, float lacking, float scale) {

@@ -37,7 +37,7 @@ void drawHead(Workspace& work, UiState& ui) {
 bool button(const char* name, const char* help, float width, bool enabled, bool strong) {
   if (strong) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(label(name).c_str(), {width, 0});
+  const bool pressed = fittedButton(name, width);
   ImGui::EndDisabled();
   if (strong) ImGui::PopStyleColor();
   tooltip(help);
@@ -54,7 +54,8 @@ void drawButtons(Workspace& work, UiState& ui) {
     showStep(work, ui);
   }
   ImGui::SameLine();
-  if (button("Reset the level", "As it was opened. Can be undone.", half, work.session.modified(), false)) {
+  const char* reset = ImGui::CalcTextSize(tr("Reset the level")).x > half ? "Reset" : "Reset the level";
+  if (button(reset, "As it was opened. Can be undone.", half, work.session.modified(), false)) {
     perform(Action::resetLevel, work, ui);
   }
   if (button("Back", "The step before.", half, run.step > 0, false)) perform(Action::previousStep, work, ui);

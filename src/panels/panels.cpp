@@ -85,7 +85,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   updateKeyFocus(ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
-  if (!work.session.changing() || ui.gizmoDrag || ImGui::IsAnyItemActive()) return;
+  if (!work.session.changing() || ui.gizmoDrag || work.lesson.play || ImGui::IsAnyItemActive()) return;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     work.session.cancelChange();
   } else {

@@ -161,15 +161,17 @@ void drawPreviewPanel(Workspace& work, UiState& ui) {
   }
   const MatchScore score = matchScore(work.studio.products());
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float below = 2 * ImGui::GetFrameHeight() + 2 * ImGui::GetTextLineHeight() + 5 * style.ItemSpacing.y +
-                      2 * style.CellPadding.y;
   ImVec2 room = ImGui::GetContentRegionAvail();
+  // In a low panel the picture is worth more than the parts of the score, which its tooltip has too.
+  const bool parts = room.y > 270 * static_cast<float>(ui.scale);
+  float below = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
+  if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   drawImages(work, ui, imageRect(work.session.level().camera, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
   scoreBar(ui, score);
-  scoreParts(ui, score);
+  if (parts) scoreParts(ui, score);
   sizeAndRender(work, ui);
   ImGui::End();
 }

@@ -37,6 +37,8 @@ struct LanguageChoice {
   std::string code, name;
 };
 
+constexpr std::size_t maxRecentLevels = 10, maxRecentFolders = 6;
+
 /// Kept between runs.
 struct Preferences {
   Theme theme = Theme::dark;

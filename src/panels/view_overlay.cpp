@@ -163,7 +163,8 @@ void drawAim(const Ink& ink, const Workspace& work) {
 void drawAxes(const Ink& ink, const Rect& rect) {
   constexpr const char* names[] = {"x", "y", "z"};
   const float s = ink.scale(), length = 30 * s;
-  const ImVec2 origin{rect.x + 48 * s, rect.y + rect.height - 48 * s};
+  const float up = rect.width < 420 * s ? 92 * s : 48 * s;  // in a narrow view the button is below them
+  const ImVec2 origin{rect.x + 48 * s, rect.y + rect.height - up};
   const Frame& frame = ink.projection().frame();
   std::array<int, 3> order{0, 1, 2};
   const auto depth = [&](int axis) { return frame.forward[axis]; };

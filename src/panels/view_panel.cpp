@@ -154,12 +154,8 @@ ShownGizmo currentGizmo(const Workspace& work, const UiState& ui) {
   for (const GizmoMode mode : {GizmoMode::move, GizmoMode::scale}) {
     if (!allows(level, selection, shown.mode)) shown.mode = mode;
   }
-  const Products& products = work.studio.products();
-  const auto box = [](const PreparedMesh& mesh) {
-    return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
-  };
-  const auto frame = frameOf(level, selection, shown.mode, work.gizmoLocal, box(products.original),
-                             box(products.sculpture.prepared));
+  const auto frame =
+      frameOf(level, selection, shown.mode, work.gizmoLocal, originalBox(work), sculptureBox(work));
   if (!frame) return shown;
   shown.frame = *frame;
   shown.gizmo =

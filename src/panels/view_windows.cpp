@@ -6,8 +6,8 @@
 #include <imgui.h>
 
 #include "base/language.h"
-#include "edit/level_helpers.h"
 #include "edit/level_repairs.h"
+#include "panels/help_buttons.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
@@ -44,20 +44,18 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void repairButtons(Workspace& work) {
+void repairButtons(Workspace& work, UiState& ui) {
   const Level& level = work.session.level();
-  const Products& products = work.studio.products();
-  const Box box = products.original.mesh ? boundingBox(products.original.mesh->positions) : Box{};
+  const Box box = originalBox(work);
   const Level outside = eyeMovedOutside(level, box);
   if (!(outside == level)) {
     if (ImGui::Button(tr("Move the eye outside the mirror"))) work.session.edit(outside);
     ImGui::SameLine();
   } else if (!findShapeProblem(level.optic.shape)) {
     const Level behind = originalMovedBehind(level, box);
-    if (behind == level && products.original.mesh) {
-      const auto fitted = originalFittedToMirror(level, products.original.mesh->positions);
-      if (fitted && ImGui::Button(tr("Fit to the mirror"))) work.session.edit(*fitted);
-      if (fitted) ImGui::SameLine();
+    if (behind == level && !box.empty()) {
+      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(work, ui);
+      ImGui::SameLine();
     } else if (!(behind == level)) {
       if (ImGui::Button(tr("Put the original behind the mirror"))) work.session.edit(behind);
       ImGui::SameLine();
@@ -126,7 +124,7 @@ void drawProblem(Workspace& work, UiState& ui) {
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
   ImGui::TextUnformatted(capitalised(*problem).c_str());
   ImGui::PopTextWrapPos();
-  repairButtons(work);
+  repairButtons(work, ui);
   ImGui::End();
 }
 

@@ -299,9 +299,28 @@ bool wideButton(const char* name, const char* help, bool enabled) {
   return pressed;
 }
 
+bool fittedButton(const char* name, float width) {
+  constexpr float leastPadding = 1;
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const float spare = (width - ImGui::CalcTextSize(tr(name)).x) / 2;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::clamp(spare, leastPadding, padding.x), padding.y});
+  const bool pressed = ImGui::Button(label(name).c_str(), {width, 0});
+  ImGui::PopStyleVar();
+  return pressed;
+}
+
+// How many columns, at most so many, have room for the longest name.
+int columnsFor(const std::vector<const char*>& names, int columns, float gap) {
+  float longest = 0;
+  for (const char* name : names) longest = std::max(longest, ImGui::CalcTextSize(tr(name)).x);
+  const float room = ImGui::GetContentRegionAvail().x + gap;
+  return std::clamp(static_cast<int>(room / (longest + 2 + gap)), 1, columns);
+}
+
 bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns) {
   ImGui::PushID(id);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.5f;
+  columns = columnsFor(names, columns, gap);
   const float width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) /
                       static_cast<float>(columns);
   bool changed = false;
@@ -310,7 +329,7 @@ bool segmentedControl(const char* id, int& chosen, const std::vector<const char*
     if (i % columns != 0) ImGui::SameLine(0, gap);
     const bool on = i == chosen;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (ImGui::Button(label(names[i]).c_str(), {width, 0})) {
+    if (fittedButton(names[i], width)) {
       chosen = i;
       changed = true;
     }

@@ -79,7 +79,11 @@ void problemText(const UiState& ui, const std::string& text);
 /// A button as wide as the column.
 bool wideButton(const char* name, const char* help = "", bool enabled = true);
 
-/// One of several choices side by side, as a row of buttons that fills the width.
+/// A button of this width whose text may come near to its border.
+bool fittedButton(const char* name, float width);
+
+/// One of several choices side by side, as rows of buttons that fill the width; fewer columns where the names have no
+/// room.
 bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns);
 
 /// A window that is part of the fixed arrangement. Pair with ImGui::End().

@@ -44,14 +44,19 @@ std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, cons
   return std::make_shared<const Mesh>(std::move(mesh));
 }
 
+double factorInto(const Box& own, const Box& room) {
+  double factor = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double side = own.size()[axis], most = room.size()[axis];
+    if (side > 0 && most > 0) factor = std::min(factor, most / side);
+  }
+  return factor > 0 && std::isfinite(factor) ? factor : 1;
+}
+
 Mesh fitInto(Mesh mesh, const Box& box) {
   const Box own = boundingBox(mesh.positions);
   if (own.empty() || box.empty()) return mesh;
-  double factor = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (own.size()[axis] > 0) factor = std::min(factor, box.size()[axis] / own.size()[axis]);
-  }
-  if (!(factor > 0) || !std::isfinite(factor)) factor = 1;
+  const double factor = factorInto(own, box);
   mesh.positions =
       mapPoints(mesh.positions, [&](const Point& p) { return box.centre() + factor * (p - own.centre()); });
   return mesh;

@@ -18,6 +18,10 @@ std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::
 /// In scene coordinates: unitized when asked, then scaled, rotated and moved.
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement);
 
+/// The factor that makes a box as large as fits a room; sides without extent, of either, do not count. 1 when there
+/// are no others.
+double factorInto(const Box& own, const Box& room);
+
 /// Scaled by one factor and moved, to be as large as fits `box` and centred in it.
 Mesh fitInto(Mesh mesh, const Box& box);
 

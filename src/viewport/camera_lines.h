@@ -1,8 +1,7 @@
 // The RT camera's frustum and its pixel grid as lines.
 //
 //          +--+--+--+          the grid is `screenDistance` in front of the eye, as high as the field of view
-//          is
-//     E <  |  |  |  |          wide there, with square cells
+//     E <  |  |  |  |          is wide there, with square cells
 //          +--+--+--+
 #pragma once
 

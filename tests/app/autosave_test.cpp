@@ -155,6 +155,18 @@ TEST_F(Autosaves, ThatCannotBeReadAreLeftAlone) {
   EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(Autosaves, WithATimeThatIsNoneAreLeftAlone) {
+  fs::create_directories(folder);
+  const std::string level = formatLevel(numbered(1));
+  for (const char* time : {"1e300", "1e18", "-1e18", "-1"}) {
+    writeText(folder / "recovery-1.json", R"({"format": "anamorph-recovery", "path": "", "time": )" +
+                                              std::string(time) + R"(, "level": )" + level + "}");
+    const auto found = findRescued(folder);
+    ASSERT_EQ(found.size(), 1u) << time;
+    EXPECT_NE(found[0].entry.problem.find("/time"), std::string::npos) << found[0].entry.problem;
+  }
+}
+
 TEST_F(Autosaves, OfOlderProgramsWithTheSameNumberStay) {
   fs::create_directories(folder);
   const fs::path old = folder / ("recovery-" + std::to_string(::getpid()) + ".json");
@@ -209,6 +221,20 @@ TEST_F(Autosaves, OfALevelThatNoFileHoldsKeepTheOneBefore) {
       EXPECT_NE(readAll(entry.path()).find("Number 1"), std::string::npos);
     }
   }
+}
+
+TEST_F(Autosaves, WhereTheWorkingFolderIsGoneGoOn) {
+  saveLevel(temporary / "mine.json", numbered(0));
+  const fs::path before = fs::current_path();
+  fs::create_directory(temporary / "here");
+  fs::current_path(temporary / "here");
+  session.open("../mine.json");
+  session.edit(numbered(1));
+  fs::remove(temporary / "here");
+  Autosave autosave(folder);
+  EXPECT_NO_THROW(autosave.writeNow(session));
+  fs::current_path(before);
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(Autosaves, WhereNothingCanBeWrittenSaySo) {

@@ -12,6 +12,7 @@
 #include "cli/program.h"
 #include "desk_fixture.h"
 #include "geometry/mesh_files.h"
+#include "gl/texture.h"
 #include "panels/actions.h"
 
 namespace anamorph {
@@ -102,12 +103,51 @@ TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {
   EXPECT_EQ(work().exported, 0);
 }
 
+TEST_F(ExportWindow, BeginsAnewWhatWasCancelledBefore) {
+  Level level = work().session.level();
+  level.sculpture.depthScale = 0.5;
+  work().session.edit(level);
+  frames(1);
+  work().studio.cancel();
+  start(ExportKind::sculpture, folder / "s.stl");
+  wait();
+  EXPECT_TRUE(std::filesystem::exists(folder / "s.stl")) << ui().exporting.message;
+}
+
+TEST_F(ExportWindow, SaysCancelledOnlyWhenNothingWasWritten) {
+  for (int pause = 0; pause < 12; ++pause) {
+    const std::string path = folder / ("s" + std::to_string(pause) + ".stl");
+    start(ExportKind::sculpture, path);
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+    ui().requests.cancelExport = true;
+    frames(1);
+    wait();
+    const bool written = std::filesystem::exists(path);
+    const std::string expected = written ? "Written: " : "Cancelled. Nothing was written.";
+    EXPECT_EQ(ui().exporting.message.substr(0, expected.size()), expected);
+  }
+}
+
 TEST_F(ExportWindow, ChecksForPrinting) {
   ui().requests.checkPrint = true;
   frames(1);
   wait();
   EXPECT_EQ(ui().exporting.message, "It can be printed.");
   EXPECT_FALSE(ui().exporting.lines.empty());
+}
+
+TEST_F(ExportWindow, AShotTooLargeForTheGraphicsCardIsToldAndAll) {
+  const Preferences preferences = ui().preferences;
+  headless.reset();  // one Dear ImGui at a time
+  headless = std::make_unique<HeadlessDesk>(Texture::maxSize() / 4 + 8, 100, preferences, 1);
+  desk().open(levelPath("1-plane"));
+  frames(1);
+  try {
+    takeShot(desk(), {4, true, false, {}});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("too large for this graphics card"), std::string::npos);
+  }
 }
 
 TEST_F(ExportWindow, ShotsAreAsLargeAsAskedForAndTheWindowGoesOn) {

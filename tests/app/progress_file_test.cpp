@@ -1,5 +1,6 @@
 #include "app/progress_file.h"
 
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ TEST(ProgressFile, RoundTrip) {
   for (const LessonProgress& progress :
        {LessonProgress{},
         LessonProgress{{"plane", {"a", "b"}}, {"a \"quoted\" é lesson", {"1"}}, {"x", {}}}}) {
+    saveProgress(path, {});
     saveProgress(path, progress);
     std::string message;
     LessonProgress loaded = loadProgress(path, message);
@@ -46,8 +48,31 @@ TEST(ProgressFile, ABrokenOneIsKeptAndSaid) {
     std::string message;
     EXPECT_TRUE(loadProgress(path, message).empty());
     EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_EQ(readFile(path, 1000).view(), text) << "nothing is lost by reading";
+    saveProgress(path, {{"x", {"y"}}});
+    EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"x", {"y"}}}));
     EXPECT_EQ(readFile(path + ".broken", 1000).view(), text);
   }
+}
+
+TEST(ProgressFile, ABrokenOneThatCannotBeSetAsideStays) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "progress.json";
+  writeFile(path, "{");
+  std::filesystem::create_directories(path + ".broken/in the way");
+  EXPECT_THROW(saveProgress(path, {{"x", {"y"}}}), Error);
+  EXPECT_EQ(readFile(path, 1000).view(), "{");
+}
+
+TEST(ProgressFile, OfTwoWindowsIsUnitedAndForgottenWhenAsked) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "progress.json";
+  std::string message;
+  saveProgress(path, {{"plane", {"a", "b"}}});
+  saveProgress(path, {{"plane", {"c"}}, {"sphere", {"a"}}});  // a window that was opened before
+  EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"plane", {"a", "b", "c"}}, {"sphere", {"a"}}}));
+  saveProgress(path, {});
+  EXPECT_EQ(loadProgress(path, message), LessonProgress{});
 }
 
 TEST(ProgressFile, WithoutOneNothingIsDone) {

@@ -68,6 +68,11 @@ TEST_F(RealWindowLessons, PresentsTheStepThatIsNamedAndStepsByArrows) {
   ASSERT_TRUE(wait([](const State& s) { return !s.is("presenting") && !s.is("panelsHidden"); }));
 }
 
+TEST_F(RealWindowLessons, TheTourGoesOnByItself) {
+  start({"0-perspective", "--with-tour"});
+  EXPECT_TRUE(wait([](const State& s) { return s.number("tourCard") == 2; })) << "the mouse rests";
+}
+
 TEST_F(RealWindowLessons, TheFirstStartShowsAroundOnce) {
   start({"0-perspective", "--with-tour"});
   EXPECT_GE(window->state().number("tourCard"), 0);

@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "cli/program.h"
 
 namespace anamorph {
 namespace {
+
+using testing::TemporaryFolder;
 
 Level numbered(int number) {
   Level level;
@@ -53,6 +56,14 @@ TEST_F(EditJobs, ComeTooLateAfterAnotherChange) {
   session.edit(numbered(1));
   EXPECT_NE(waitFor(job, session).find("Work: the level has been changed"), std::string::npos);
   EXPECT_EQ(session.level(), numbered(1));
+}
+
+TEST_F(EditJobs, ComeTooLateAfterSavingElsewhere) {
+  const TemporaryFolder folder;
+  job.start(session, "Work", [](const Level&, const Progress&) { return EditResult{numbered(7), ""}; });
+  session.saveTo(folder / "elsewhere.json");
+  EXPECT_NE(waitFor(job, session), "");
+  EXPECT_EQ(session.level(), numbered(0));
 }
 
 TEST_F(EditJobs, AreDroppedWithTheirLevel) {

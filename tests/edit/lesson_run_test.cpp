@@ -93,6 +93,28 @@ TEST_F(LessonRunTest, AProblemIsNoMatch) {
   EXPECT_TRUE(work.lesson.done);
 }
 
+TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
+  open(step("free", R"([{"when": "hiddenShareBelow", "value": 0}, {"when": "movedEye"}])"));
+  change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
+  EXPECT_FALSE(work.lesson.done);
+  change([](Level& level) { level.camera.target = level.camera.eye + Vector(0, -1, 0); });
+  EXPECT_FALSE(work.lesson.done);
+}
+
+TEST_F(LessonRunTest, IsThatOfTheLevelThatWasPasted) {
+  open(step("first", R"([{"when": "movedEye"}])"));
+  const std::string own = work.session.level().lesson;
+  change([&](Level& level) {
+    level.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
+                   step("pasted", R"([{"when": "undone"}])") + "]}";
+  });
+  EXPECT_EQ(work.lesson.lesson.id, "other");
+  work.session.undo();
+  settle(work);
+  EXPECT_EQ(work.lesson.lesson.id, "test");
+  EXPECT_EQ(work.session.level().lesson, own);
+}
+
 TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
   open(step("both", R"([{"when": "viewed", "what": "difference"}, {"when": "depthScaleChanged"}])"));
   change([](Level& level) { level.sculpture.depthScale = 2; });

@@ -112,6 +112,19 @@ TEST(WithOriginal, FitsAMeshAsTheCommandsDo) {
     ASSERT_LT(glm::length(placed->positions[i] - expected.positions[i]), 1e-9);
 }
 
+TEST(WithOriginal, FitsIntoARoomWithoutDepth) {
+  Mesh mesh = makeBox({1000, 500, 800}, 1);
+  Box flat;
+  flat.extend(Point(-1, 0, 2));
+  flat.extend(Point(1, 0, 6));
+  const Level made = withOriginal(Level(), FileShape{"box.obj"}, mesh, flat);
+  const auto placed = placeOriginal(mesh, made.original.unitize, made.original.placement);
+  const Box box = boundingBox(placed->positions);
+  EXPECT_NEAR(box.size().x, 2, 1e-9);
+  EXPECT_LE(box.size().z, 4);
+  EXPECT_NEAR(boundingBox(fitInto(mesh, flat).positions).size().x, 2, 1e-9);
+}
+
 TEST(WithOriginal, WithoutABoxStandsWhereTheOldOneStood) {
   Level level;
   const Level made = withBuiltInOriginal(level, 1, Box{});

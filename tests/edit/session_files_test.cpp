@@ -240,6 +240,24 @@ TEST(Recovery, NeedsNoFile) {
   }
 }
 
+TEST(Recovery, IsNotSavedOverWhatItDoesNotKnow) {
+  const TemporaryFolder folder;
+  writeText(folder / "broken.json", "{");
+  Session session;
+  session.recover(folder / "broken.json", numbered(5));
+  EXPECT_TRUE(session.isFileChanged()) << "a file that cannot be read may be somebody's work";
+  session.recover(folder / "gone.json", numbered(5));
+  EXPECT_FALSE(session.isFileChanged());
+  saveLevel(folder / "a.json", numbered(1));
+  const auto written = fs::last_write_time(folder / "a.json");
+  session.recover(folder / "a.json", numbered(5), written + std::chrono::seconds(1));
+  EXPECT_FALSE(session.isFileChanged());
+  session.recover(folder / "a.json", numbered(5), written - std::chrono::seconds(1));
+  EXPECT_TRUE(session.isFileChanged()) << "it was written after the level was rescued";
+  session.saveTo(folder / "a.json");
+  EXPECT_FALSE(session.isFileChanged());
+}
+
 // What a full disk, a folder without permission, a folder that is gone have in common.
 void expectNothingLost(Session& session, const std::string& folder, const std::string& target,
                        const std::string& reason) {

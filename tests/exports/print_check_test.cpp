@@ -100,6 +100,19 @@ TEST(PrintCheck, JoinsEqualPositionsFirst) {
   EXPECT_EQ(check(soup).vertices, sphere.positions.size());
 }
 
+TEST(PrintCheck, CountsTrianglesThatJoiningFlattens) {
+  Mesh mesh = makeBox({2, 3, 4}, 2);
+  const std::size_t sound = mesh.triangles.size();
+  // A needle whose two ends are the same place: nothing of it is left when equal positions are joined.
+  const Point corner = mesh.positions[0];
+  mesh.positions.push_back(corner);
+  mesh.triangles.push_back({0, static_cast<std::uint32_t>(mesh.positions.size() - 1), 1});
+  const PrintCheck result = check(mesh);
+  EXPECT_EQ(result.triangles, sound + 1);
+  EXPECT_EQ(result.flatTriangles, 1u);
+  EXPECT_TRUE(result.topology.isSound());
+}
+
 TEST(PrintCheck, FindsPartsInsideOutAndPinchedPoints) {
   Mesh inside = makeBox({1, 1, 1}, 2);
   for (Triangle& t : inside.triangles) std::swap(t[0], t[1]);

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "error_text.h"
 #include "exports/page_file.h"
+#include "exports/sheet_words.h"
 #include "exports/silhouette.h"
 #include "finished.h"
 #include "geometry/shapes.h"
@@ -88,6 +89,15 @@ TEST(ViewingSheet, OfHalfSizeKeepsItsRuler) {
   const std::vector<Box> boxes = pathBoxes(encodePage(sheet.page, PageFormat::svg));
   EXPECT_GE(countSizes(boxes, 30, 30), 1);
   EXPECT_GE(countSizes(boxes, 100, 0), 1);
+}
+
+TEST(ViewingSheet, SaysWhetherItIsSmallerOrLargerThanLife) {
+  const Arrangement arrangement = makeArrangement(finishedLevel("2-cylinder"), 10);
+  const std::pair<double, const char*> scales[] = {
+      {0.5, "Larger than life"}, {1, "Print at 100 %"}, {2, "Smaller than life"}};
+  for (const auto& [scale, words] : scales) {
+    EXPECT_EQ(makeSheetSteps(arrangement, scale).front().text.rfind(words, 0), 0u) << scale;
+  }
 }
 
 TEST(ViewingSheet, StaysOnItsPaperWhateverIsExported) {

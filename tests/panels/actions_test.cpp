@@ -116,6 +116,16 @@ TEST(Actions, OnlyTheWindowsOwnAreAskedOfIt) {
   }
 }
 
+TEST(Actions, AnExportThatRunsIsNotAskedFor) {
+  Workspace work({}, 1);
+  UiState ui;
+  ui.exporting.open = ui.exporting.running = true;
+  const int kind = ui.exporting.kind;
+  for (const int key : {keys::enter, keys::left, keys::right}) handleKey(key, 0, work, ui);
+  EXPECT_FALSE(ui.exporting.saveAsked);
+  EXPECT_EQ(ui.exporting.kind, kind);
+}
+
 TEST(Actions, NeighboursEndAtTheFirstAndTheLastLevel) {
   UiState ui;
   ui.levels = listLevels(levels);

@@ -203,6 +203,30 @@ TEST_F(Browser, AsksBeforeItReplaces) {
   EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), fs::path(at("old.png")));
 }
 
+TEST_F(Browser, WhileItAsksNothingElseCanBeChosen) {
+  writeText(at("a.png"), "x");
+  browse(FilePurpose::saveImage);
+  type("a.png");
+  key(keys::enter);
+  ASSERT_EQ(ui.browser.replace, at("a.png"));
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  for (float y = 0; y < size.y; y += 13) {
+    for (float x = 0; x < size.x; x += 61) {
+      moveMouse(x, y);
+      frame();
+      press(true);
+      frame();
+      moveMouse(-1, -1);  // not let go over one of the answers
+      frame();
+      press(false);
+      frame();
+      ASSERT_EQ(ui.browser.folder, fs::path(at("")).parent_path()) << x << ", " << y;
+      ASSERT_EQ(ui.browser.replace, at("a.png")) << x << ", " << y;
+      ASSERT_FALSE(ui.browser.chosen) << x << ", " << y;
+    }
+  }
+}
+
 TEST_F(Browser, ProposesNameAndEnding) {
   browse(FilePurpose::saveMesh, at("works/sculpture.stl"));
   EXPECT_EQ(ui.browser.folder, at("works"));

@@ -61,6 +61,18 @@ TEST_F(LessonPanelTest, ShowMeOpensTheTabPointsAndMoves) {
   EXPECT_TRUE(ui.highlight.empty()) << "it stops pointing after a while";
 }
 
+TEST_F(LessonPanelTest, WhatShowMeDidIsOneStepBack) {
+  openLesson();
+  openStep(work, 1);
+  const Level before = work.session.level();
+  handleKey('M', 0, work, ui);
+  for (int i = 0; i < 200 && (i < 3 || work.lesson.play); ++i) frame(0.02);
+  ASSERT_EQ(work.session.level().sculpture.depthScale, 0.5);
+  EXPECT_EQ(steps(), 1);
+  perform(Action::undo, work, ui);
+  EXPECT_EQ(work.session.level(), before);
+}
+
 TEST_F(LessonPanelTest, KeysStepAndThePresenterTakesArrows) {
   openLesson();
   handleKey(keys::right, 0, work, ui);
