@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -28,11 +29,17 @@ td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
 )";
 
 // The colours of markDifferences() as displayed.
-constexpr const char* legend =
-    R"(grey: both agree;<span class="swatch" style="background:#0073b4"></span>only the original;)"
-    R"(<span class="swatch" style="background:#d65f00"></span>only the reflection;)"
-    R"(<span class="swatch" style="background:#e6a000"></span>hidden;)"
-    R"(<span class="swatch" style="background:#cc79a7"></span>no mirror)";
+std::string legend() {
+  constexpr std::pair<const char*, const char*> colors[] = {{"#0073b4", "only the original"},
+                                                            {"#d65f00", "only the reflection"},
+                                                            {"#e6a000", "hidden"},
+                                                            {"#cc79a7", "no mirror"}};
+  std::string text = tr("grey: both agree");
+  for (const auto& [color, meaning] : colors) {
+    text += fmt::format("; <span class=\"swatch\" style=\"background:{}\"></span>{}", color, tr(meaning));
+  }
+  return text;
+}
 
 std::string escapeHtml(std::string_view text) {
   std::string escaped;
@@ -55,27 +62,29 @@ std::string figure(const Image& image, const std::string& name, const std::strin
   return fmt::format(
       "<figure><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">"
       "<figcaption><b>{}</b>: {}</figcaption></figure>\n",
-      name, image.width, image.height, encodeBase64(encodePng(toBitmap(image))), name, caption);
+      tr(name), image.width, image.height, encodeBase64(encodePng(toBitmap(image))), tr(name), caption);
 }
 
 std::string row(const char* name, const std::string& value, const char* good, const char* meaning) {
   return fmt::format(
-      "<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n", name,
-      value, good, meaning);
+      "<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n", tr(name),
+      value, good, tr(meaning));
 }
 
 std::string figuresTable(const MatchReport& report) {
   const bool compared = report.comparedPixels > 0;
-  std::string text =
-      "<table>\n<tr><th>figure</th><th>here</th><th>excellent</th><th>what it says</th></tr>\n";
+  std::string text = fmt::format("<table>\n<tr><th>{}</th><th>{}</th><th>{}</th><th>{}</th></tr>\n",
+                                 tr("figure"), tr("here"), tr("excellent"), tr("what it says"));
   text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "&ge; 0.995",
               "pixels that both pictures show, of those that either shows: 1 when the outlines are the same");
   text +=
-      row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : "none", "&le; 0.5 px",
-          "how far a reflected point is from where it should be; 99 of 100 points are nearer");
-  text += row("correspondence, mean", compared ? fmt::format("{:.3f} px", report.meanPx) : "none", "",
+      row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : std::string(tr("none")),
+          "&le; 0.5 px", "how far a reflected point is from where it should be; 99 of 100 points are nearer");
+  text += row("correspondence, mean",
+              compared ? fmt::format("{:.3f} px", report.meanPx) : std::string(tr("none")), "",
               "the same, on average");
-  text += row("correspondence, worst", compared ? fmt::format("{:.3f} px", report.maxPx) : "none", "",
+  text += row("correspondence, worst",
+              compared ? fmt::format("{:.3f} px", report.maxPx) : std::string(tr("none")), "",
               "the same, at the worst pixel");
   text += row("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement), "&ge; 0.995",
               "share of pixels in which both pictures show the same part of the original, front and back not "
@@ -92,10 +101,11 @@ std::string levelSentence(const FinishedLevel& finished) {
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
   return fmt::format(
-      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
-      "triangles; {}.",
-      shapeName(level.optic.shape), surfaceName(level.optic), eye.x, eye.y, eye.z, level.sculpture.depthScale,
-      sculpture.mesh.triangles.size(), statusSentence(sculpture.originalStatus));
+      fmt::runtime(
+          tr("A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+             "triangles; {}.")),
+      tr(shapeName(level.optic.shape)), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
+      level.sculpture.depthScale, sculpture.mesh.triangles.size(), shownStatus(sculpture.originalStatus));
 }
 
 }  // namespace
@@ -127,24 +137,27 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
 
 std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& report,
                           const MatchPictures& pictures) {
-  const std::string title = escapeHtml(finished.level.title.empty() ? "Anamorphosis" : finished.level.title);
+  const std::string title =
+      escapeHtml(tr(finished.level.title.empty() ? "Anamorphosis" : finished.level.title));
   std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
-      "<title>{}: match report</title>\n<style>{}</style>\n</head>\n<body>\n",
-      title, style);
-  page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">match: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
-                      title, matchGradeName(gradeOf(report)), levelSentence(finished));
+      "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n",
+      tr("en"), title, tr("match report"), style);
+  page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">{}: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
+                      title, tr("match"), tr(matchGradeName(gradeOf(report))), levelSentence(finished));
   page += figure(pictures.reflection, "Reflection",
-                 finished.level.optic.kind == OpticKind::mirror ? "what the eye sees in the mirror"
-                                                                : "what the eye sees of the sculpture");
-  page += figure(pictures.original, "Original", "the original alone, seen directly from the same eye");
-  page += figure(pictures.difference, "Difference", legend);
+                 finished.level.optic.kind == OpticKind::mirror ? tr("what the eye sees in the mirror")
+                                                                : tr("what the eye sees of the sculpture"));
+  page += figure(pictures.original, "Original", tr("the original alone, seen directly from the same eye"));
+  page += figure(pictures.difference, "Difference", legend());
   page += "</div>\n" + figuresTable(report);
-  page += fmt::format(
-      "<p class=\"small\">Compared in {} x {} pixels, two rays each: one straight to the original, one "
-      "by way of the mirror to the sculpture. Made by Anamorph.</p>\n</body>\n</html>\n",
-      report.width, report.height);
+  page += "<p class=\"small\">" +
+          fmt::format(
+              fmt::runtime(tr("Compared in {} x {} pixels, two rays each: one straight to the original, one "
+                              "by way of the mirror to the sculpture. Made by Anamorph.")),
+              report.width, report.height) +
+          "</p>\n</body>\n</html>\n";
   return page;
 }
 

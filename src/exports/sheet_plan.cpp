@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "base/language.h"
 #include "exports/page_file.h"
 
 namespace anamorph {
@@ -129,7 +132,7 @@ class Drawing {
   }
 
  private:
-  std::string surface() const { return plan_.hasMirror ? "mirror" : "canvas"; }
+  std::string surface() const { return tr(plan_.hasMirror ? "mirror" : "canvas"); }
   // A canvas is only thought of.
   Pen surfacePen() const { return plan_.hasMirror ? outlinePen : Pen{0.3, ink::blue, {1.5, 1}}; }
 
@@ -272,25 +275,27 @@ class Drawing {
     const auto inMirror = [&](const Point2& p) { return isInside({plan_.mirror}, p) && !inSculpture(p); };
     drawName(surface(), ink::blue, plan_.mirrorBox, inMirror);
     if (plan_.mirror.size() == 2) nameLine();
-    drawName("sculpture", ink::vermilion, plan_.sculptureBox, inSculpture);
+    drawName(tr("sculpture"), ink::vermilion, plan_.sculptureBox, inSculpture);
   }
 
   void drawEyePlace() {
-    const std::string height = formatLength(plan_.eyeHeight) + " mm above the table";
+    const std::string height =
+        fmt::format(fmt::runtime(tr("{} mm above the table")), formatLength(plan_.eyeHeight));
     if (withEye_) {
       const Point2 place = at(plan_.eye);
       const Pen pen{0.3, ink::black, {}};
       drawLine(page_, place - Point2(3, 0), place + Point2(3, 0), pen);
       drawLine(page_, place - Point2(0, 3), place + Point2(0, 3), pen);
       drawEye(page_, place + Point2(0, 5.6), 6);
-      write(place + Point2(0, 10.6), "eye, " + height);
+      write(place + Point2(0, 10.6), tr("eye, ") + height);
       return;
     }
     const Point2 start{at(0, 0).x, at(0, plan_.things.min.y).y + below + 0.5};
     drawArrow(page_, start, start + Point2(0, 5), Pen{0.3, ink::black, {}});
     drawEye(page_, start + Point2(-6, 2.5), 6);
     write(start + Point2(0, 9),
-          "eye: " + formatLength(std::abs(plan_.eye.y)) + " mm from the cross, " + height);
+          fmt::format(fmt::runtime(tr("eye: {} mm from the cross, ")), formatLength(std::abs(plan_.eye.y))) +
+              height);
   }
 
   void write(const Point2& place, const std::string& text) {
@@ -314,7 +319,7 @@ class Drawing {
     name(x, "x");
     name(y, "y");
     drawText(page_, {{area_.min.x + (high - low).x + 1, area_.max.y - 1},
-                     "axes of the mesh files",
+                     tr("axes of the mesh files"),
                      2.4,
                      false,
                      TextAlign::left,

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "base/language.h"
+
 namespace anamorph {
 namespace {
 
@@ -91,7 +93,8 @@ class Drawing {
 
   void draw() {
     drawText(page_,
-             {area_.min + Point2(0, 3), "Side view, " + scaleName(scale_) + ", heights above the table", 2.8,
+             {area_.min + Point2(0, 3),
+              fmt::format(fmt::runtime(tr("Side view, {}, heights above the table")), scaleName(scale_)), 2.8,
               true, TextAlign::left, false, ink::black});
     drawTable();
     drawLabels();
@@ -137,7 +140,7 @@ class Drawing {
     const Point2 eye = at(view_.eye), foot = at({view_.eye.x, 0});
     drawLine(page_, eye, foot, Pen{0.15, ink::grey, {}});
     drawEye(page_, eye, 5);
-    const std::string text = "eye " + formatLength(view_.eye.y);
+    const std::string text = tr("eye ") + formatLength(view_.eye.y);
     drawText(page_, {{std::max(eye.x - 5, area_.min.x), eye.y - 3},
                      text,
                      labelSize,
@@ -188,11 +191,11 @@ SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangem
   };
   const auto [mirrorBottom, mirrorTop] = std::minmax_element(mirror.begin(), mirror.end(), isLower);
   const auto [bottom, top] = std::minmax_element(sculpture.begin(), sculpture.end(), isLower);
-  const std::string name = surfaceName(finished.level.optic);
-  label(*mirrorTop, name + ", top");
-  if (mirrorBottom->y > 0.05) label(*mirrorBottom, name + ", bottom");
-  label(*top, "sculpture, top");
-  if (bottom->y > 0.05 || arrangement.plate) label(*bottom, "sculpture, bottom");
+  const std::string name = tr(surfaceName(finished.level.optic));
+  label(*mirrorTop, name + tr(", top"));
+  if (mirrorBottom->y > 0.05) label(*mirrorBottom, name + tr(", bottom"));
+  label(*top, tr("sculpture, top"));
+  if (bottom->y > 0.05 || arrangement.plate) label(*bottom, tr("sculpture, bottom"));
   view.box = {glm::min(view.eye, Point2(view.eye.x, 0)), view.eye};
   addBox(view.box, mirror);
   addBox(view.box, sculpture);
@@ -200,7 +203,7 @@ SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangem
     const std::vector<Point2> plate = flatten(arrangement, arrangement.plate->mesh.positions);
     const Point2 lowest = *std::min_element(plate.begin(), plate.end(), isLower);
     view.plate = makeSilhouette(plate, arrangement.plate->mesh.triangles, 600);
-    if (lowest.y < -0.05) label(lowest, "plate, lower face");
+    if (lowest.y < -0.05) label(lowest, tr("plate, lower face"));
     addBox(view.box, plate);
   }
   std::stable_sort(view.labels.begin(), view.labels.end(),

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/language.h"
 #include "exports/page_file.h"
 #include "exports/sheet_plan.h"
 #include "exports/sheet_side_view.h"
@@ -129,7 +130,7 @@ Choice chooseLargest(const SheetPlan& plan, const Layout& upright, const Layout&
       if (const auto choice = chooseAt(plan, upright, across, step * decade)) return *choice;
     }
   }
-  throw Error("cannot draw the viewing sheet: it would be larger than the world");
+  throw Error(tr("cannot draw the viewing sheet: it would be larger than the world"));
 }
 
 // With the words for the scale; what the plan leaves free goes to the side view.
@@ -149,22 +150,24 @@ std::string scaleName(double scale) {
 
 [[noreturn]] void refuse(const SheetPlan& plan, const Layout& layout, Paper paper, double scale) {
   const Point2 size = sizeOnPage(plan, scale, false), room = layout.plan.size();
-  throw Error(
-      fmt::format("the viewing sheet at {} needs {:.0f} x {:.0f} mm, and {} has {:.0f} x {:.0f} mm for "
-                  "it: choose a smaller scale, larger paper or fewer millimetres per unit",
-                  scaleName(scale), std::ceil(size.x), std::ceil(size.y), paperName(paper),
-                  std::floor(room.x), std::floor(room.y)));
+  throw Error(fmt::format(
+      fmt::runtime(
+          tr("the viewing sheet at {} needs {:.0f} x {:.0f} mm, and {} has {:.0f} x {:.0f} mm for it: "
+             "choose a smaller scale, larger paper or fewer millimetres per unit")),
+      scaleName(scale), std::ceil(size.x), std::ceil(size.y), paperName(paper), std::floor(room.x),
+      std::floor(room.y)));
 }
 
 void drawHead(Page& page, const Arrangement& arrangement, double scale, Paper paper) {
   constexpr double titleSize = 5.5;
   const double room = page.width - 2 * margin;
-  std::string title = arrangement.title.empty() ? "Viewing sheet" : arrangement.title;
+  std::string title = tr(arrangement.title.empty() ? "Viewing sheet" : arrangement.title);
   const double width = textWidth(title, titleSize, true);
   const double size = std::max(3.0, titleSize * std::min(1.0, room / width));
   drawText(page, {{margin, margin + 5.5}, title, size, true, TextAlign::left, false, ink::black});
-  const std::string kind = fmt::format("Viewing sheet, scale {}, seen from above. {:g} mm per scene unit.",
-                                       scaleName(scale), arrangement.millimetresPerUnit);
+  const std::string kind =
+      fmt::format(fmt::runtime(tr("Viewing sheet, scale {}, seen from above. {:g} mm per scene unit.")),
+                  scaleName(scale), arrangement.millimetresPerUnit);
   drawText(page, {{margin, margin + 11}, kind, 3, false, TextAlign::left, false, ink::grey});
   drawText(page, {{page.width - margin, margin + 11},
                   std::string(paperName(paper)) + ", Anamorph",
@@ -180,9 +183,9 @@ void drawFoot(Page& page) {
   const double y = page.height - margin - 5;
   drawRuler(page, {margin, y});
   const double x = margin + 107;
-  drawText(page, {{x, y - 1}, "Check your printer:", 2.9, true, TextAlign::left, false, ink::black});
+  drawText(page, {{x, y - 1}, tr("Check your printer:"), 2.9, true, TextAlign::left, false, ink::black});
   drawText(page,
-           {{x, y + 3.1}, "this ruler is 100 mm long.", 2.9, false, TextAlign::left, false, ink::black});
+           {{x, y + 3.1}, tr("this ruler is 100 mm long."), 2.9, false, TextAlign::left, false, ink::black});
 }
 
 }  // namespace
@@ -211,7 +214,7 @@ ViewingSheet makeViewingSheet(const FinishedLevel& finished, const Arrangement& 
   sheet.showsEye = choice->withEye;
   sheet.page.width = layout.width;
   sheet.page.height = layout.height;
-  sheet.page.title = arrangement.title + ": viewing sheet";
+  sheet.page.title = tr(arrangement.title) + ": " + tr("Viewing sheet");
   drawHead(sheet.page, arrangement, sheet.scale, paper);
   drawSheetPlan(sheet.page, plan, layout.plan, sheet.scale, sheet.showsEye);
   drawWords(sheet.page, layout.text, layout.words.min);

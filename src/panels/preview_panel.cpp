@@ -2,6 +2,7 @@
 // they match.
 
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -95,7 +96,8 @@ void drawImages(Workspace& work, UiState& ui, const Rect& r) {
   if (work.cell) drawCell(r, camera, *work.cell, IM_COL32(255, 217, 51, 255), 2.5f);
 }
 
-void scoreBar(const UiState& ui, const MatchScore& score) {
+// `parts`: they are shown below; else the tooltip has them.
+void scoreBar(const UiState& ui, const MatchScore& score, bool parts) {
   const float height = ImGui::GetFrameHeight();
   const ImVec2 p = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -111,7 +113,20 @@ void scoreBar(const UiState& ui, const MatchScore& score) {
   list->AddText({p.x + ImGui::GetStyle().FramePadding.x, p.y + (height - ImGui::GetFontSize()) / 2},
                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   ImGui::Dummy({width, height});
-  tooltip(score.help.c_str());
+  std::string help = tr(score.help.c_str());
+  for (const MatchPart& part : score.parts) {
+    if (!parts) help += fmt::format("\n{}: {}", tr(part.name), part.value);
+  }
+  tooltip(help.c_str());
+}
+
+// In a small panel the picture is worth more than the parts of the score, which its tooltip has too.
+bool havePartsRoom(const UiState& ui, const MatchScore& score, const ImVec2& room) {
+  if (room.y < 270 * static_cast<float>(ui.scale)) return false;
+  const float gap = 2 * ImGui::GetStyle().CellPadding.x;
+  const float width = room.x / static_cast<float>(std::max<std::size_t>(1, score.parts.size())) - gap;
+  return std::all_of(score.parts.begin(), score.parts.end(),
+                     [&](const MatchPart& part) { return ImGui::CalcTextSize(tr(part.name)).x <= width; });
 }
 
 void scoreParts(const UiState& ui, const MatchScore& score) {
@@ -162,15 +177,14 @@ void drawPreviewPanel(Workspace& work, UiState& ui) {
   const MatchScore score = matchScore(work.studio.products());
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
-  // In a low panel the picture is worth more than the parts of the score, which its tooltip has too.
-  const bool parts = room.y > 270 * static_cast<float>(ui.scale);
+  const bool parts = havePartsRoom(ui, score, room);
   float below = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
   if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   drawImages(work, ui, imageRect(work.session.level().camera, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
-  scoreBar(ui, score);
+  scoreBar(ui, score, parts);
   if (parts) scoreParts(ui, score);
   sizeAndRender(work, ui);
   ImGui::End();

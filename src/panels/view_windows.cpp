@@ -4,6 +4,7 @@
 #include <string>
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "base/language.h"
 #include "edit/level_repairs.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr int floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                         ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 float scaled(const UiState& ui, float length) {
   return length * static_cast<float>(ui.scale);
@@ -27,6 +29,17 @@ std::string capitalised(std::string sentence) {
   if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
     sentence[0] = static_cast<char>(sentence[0] - 32);
   return sentence;
+}
+
+// The window that has just begun goes in front of the view and behind everything else: Dear ImGui has no flag for
+// that, only a list of windows from back to front.
+void placeAboveView() {
+  ImGuiContext& g = *GImGui;
+  ImGuiWindow* const view = ImGui::FindWindowByName("view");
+  ImGuiWindow* window = g.CurrentWindow;
+  if (!view || !window->Appearing) return;
+  g.Windows.find_erase(window);
+  g.Windows.insert(g.Windows.find(view) + 1, window);
 }
 
 // At a corner or edge of the view; (0, 0) is its upper left, (1, 1) its lower right corner.
@@ -40,6 +53,7 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(ui, rounding));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(ui, 8), scaled(ui, 6)});
   ImGui::Begin(name, nullptr, floating);
+  placeAboveView();
   ImGui::PopStyleVar(2);
 }
 

@@ -309,12 +309,15 @@ bool fittedButton(const char* name, float width) {
   return pressed;
 }
 
-// How many columns, at most so many, have room for the longest name.
+// How many columns, at most so many, have room for the longest name; the rows are about as long as each other.
 int columnsFor(const std::vector<const char*>& names, int columns, float gap) {
   float longest = 0;
   for (const char* name : names) longest = std::max(longest, ImGui::CalcTextSize(tr(name)).x);
   const float room = ImGui::GetContentRegionAvail().x + gap;
-  return std::clamp(static_cast<int>(room / (longest + 2 + gap)), 1, columns);
+  const int fit = std::clamp(static_cast<int>(room / (longest + 2 + gap)), 1, columns);
+  if (fit == columns) return columns;
+  const int count = static_cast<int>(names.size()), rows = (count + fit - 1) / fit;
+  return (count + rows - 1) / rows;
 }
 
 bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns) {

@@ -15,6 +15,7 @@
 #include "exports/ray_file.h"
 #include "finished.h"
 #include "geometry/mesh_files.h"
+#include "in_dutch.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -22,6 +23,7 @@ namespace {
 
 using namespace anamorph::testing;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 ExportRequest requestFor(const std::string& path) {
   ExportRequest request;
@@ -155,6 +157,15 @@ TEST(Export, MatchPageEscapesTheTitle) {
   FinishedLevel finished = finishedLevel("1-plane");
   finished.level.title = "<b>\"A & B\"</b>";
   const Image pixel(1, 1);
+  {
+    const InDutch dutch;
+    const std::string page = makeMatchPage(finished, {}, {pixel, pixel, pixel});
+    EXPECT_THAT(page, HasSubstr("<html lang=\"nl\">"));
+    for (const char* english :
+         {"seen", "original<", "the eye", "share", "grey", "report", "Compared", "pixels"}) {
+      EXPECT_THAT(page, Not(HasSubstr(english)));
+    }
+  }
   const std::string html = makeMatchPage(finished, {}, {pixel, pixel, pixel});
   EXPECT_THAT(html, HasSubstr("<h1>&lt;b&gt;&quot;A &amp; B&quot;&lt;/b&gt;</h1>"));
 }

@@ -17,6 +17,7 @@
 #include "exports/silhouette.h"
 #include "finished.h"
 #include "geometry/shapes.h"
+#include "in_dutch.h"
 
 namespace anamorph {
 namespace {
@@ -100,7 +101,7 @@ TEST(ViewingSheet, SaysWhetherItIsSmallerOrLargerThanLife) {
   }
 }
 
-TEST(ViewingSheet, StaysOnItsPaperWhateverIsExported) {
+void expectOnPaper() {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
     for (const double mm : {0.01, 1.0, 10.0, 20.0, 35.0, 1000.0}) {
       const ViewingSheet sheet = sheetOf(name, mm);
@@ -113,6 +114,16 @@ TEST(ViewingSheet, StaysOnItsPaperWhateverIsExported) {
       }
     }
   }
+}
+
+TEST(ViewingSheet, StaysOnItsPaperWhateverIsExported) {
+  expectOnPaper();
+}
+
+TEST(ViewingSheet, StaysOnItsPaperInALanguageOfLongerWords) {
+  const testing::InDutch dutch;
+  expectOnPaper();
+  EXPECT_EQ(makeSheetSteps(makeArrangement(finishedLevel("1-plane"), 10), 1)[1].name, "Spiegel");
 }
 
 TEST(ViewingSheet, IsOnePdfPageOfThePapersSize) {

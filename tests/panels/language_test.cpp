@@ -90,10 +90,12 @@ bool hasWord(const std::string& text) {
 
 std::vector<fs::path> filesThatSpeak() {
   std::vector<fs::path> files;
-  for (const char* name : {"app/autosave.cpp", "app/desk.cpp", "app/export_job.cpp", "app/render_job.cpp",
-                           "app/window_files.cpp", "edit/construction.cpp", "edit/edit_job.cpp",
-                           "edit/gizmo_drag.cpp", "edit/level_files.cpp", "exports/export_request.cpp",
-                           "exports/print_check.cpp", "optics/mirror_problems.cpp", "pipeline/stages.cpp"}) {
+  for (const char* name :
+       {"app/autosave.cpp", "app/desk.cpp", "app/export_job.cpp", "app/render_job.cpp",
+        "app/window_files.cpp", "edit/construction.cpp", "edit/edit_job.cpp", "edit/gizmo_drag.cpp",
+        "edit/level_files.cpp", "exports/export_request.cpp", "exports/print_check.cpp",
+        "exports/sheet_plan.cpp", "exports/sheet_side_view.cpp", "exports/sheet_words.cpp",
+        "exports/viewing_sheet.cpp", "optics/mirror_problems.cpp", "pipeline/stages.cpp"}) {
     files.push_back(source / "src" / name);
   }
   for (const auto& entry : fs::directory_iterator(source / "src/panels")) {
