@@ -261,7 +261,7 @@ std::optional<std::string> Autosave::update(const Session& session, double now) 
       failure = error.what();
     }
   }
-  if (failure) kept_.reset();  // tried again in half a minute
+  if (failure) kept_.reset();  // tried again in a moment
   return failure;
 }
 

@@ -63,7 +63,7 @@ class Autosave {
   ~Autosave();
 
   /// Once a frame; `now` in seconds. Begins to write when it is time: three seconds after a change, at most
-  /// every half a minute, and every two minutes while one goes on. Returns what went wrong with the last one.
+  /// every six seconds, and every two minutes while one goes on. Returns what went wrong with the last one.
   std::optional<std::string> update(const Session& session, double now);
   /// Writes at once. Throws Error.
   void writeNow(const Session& session);
@@ -71,7 +71,7 @@ class Autosave {
   /// Seconds until update() has something to do though nothing happens; nothing when it has not.
   std::optional<double> secondsUntilDue(double now) const;
 
-  static constexpr double restSeconds = 3, leastSeconds = 30, mostSeconds = 120;
+  static constexpr double restSeconds = 3, leastSeconds = 6, mostSeconds = 120;
 
  private:
   std::optional<double> due() const;

@@ -71,7 +71,9 @@ void ExportJob::start(Task task, const Products& products, const ExportDialog& d
       if (!check) return;
       const auto problems = findPrintProblems(*check, countNotMapped(finished));
       const auto hints = findPrintHints(*check);
-      outcome.message = tr(problems.empty() ? "It can be printed." : "A printer would stumble over this:");
+      outcome.message = tr(!problems.empty() ? "A printer would stumble over this:"
+                           : !hints.empty()  ? "It is closed and sound, but mind this:"
+                                             : "It can be printed.");
       outcome.lines = problems;
       outcome.lines.insert(outcome.lines.end(), hints.begin(), hints.end());
       for (std::string& line : linesOf(formatPrintCheck(*check))) outcome.lines.push_back(std::move(line));

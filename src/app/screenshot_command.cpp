@@ -97,6 +97,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   Desk& desk = headless.desk();
   desk.open(level);
   desk.setTransparent(options.transparent);
+  desk.ui().bare = options.transparent && options.noPanels;
   arrange(desk.work(), desk.ui(), options);
   headless.settle();
   if (options.showMe) {

@@ -34,6 +34,7 @@ class Undisturbed {
     desk_.ui().exporting.open = exportOpen_;
     desk_.setShotFactor(1);
     desk_.setTransparent(false);
+    desk_.ui().bare = false;
   }
   Undisturbed(const Undisturbed&) = delete;
   Undisturbed& operator=(const Undisturbed&) = delete;
@@ -99,9 +100,12 @@ Bitmap takeShot(Desk& desk, const ShotRequest& request) {
   io.MousePos = {-FLT_MAX, -FLT_MAX};
   desk.setShotFactor(factor);
   desk.setTransparent(request.transparent);
+  desk.ui().bare = request.transparent && !request.panels;
   desk.ui().exporting.open = false;
   desk.ui().panelsHidden = !request.panels;
-  const ViewQuality best = QualityGovernor::best();
+  // What is larger need not be as smooth.
+  const ViewQuality finest = QualityGovernor::best(),
+                    best{1, finest.samplesNow, finest.samples / (factor == 3 ? 4 : factor)};
   constexpr int layoutFrames = 4, mostFrames = 200;
   for (int i = 0; i < layoutFrames || (i < mostFrames && !desk.viewComplete()); ++i) {
     target.bind();

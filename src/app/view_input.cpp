@@ -127,6 +127,7 @@ ViewportInput ViewInputMaker::make(Workspace& work, const UiState& ui, bool tran
   input.screen = products.screen;
   input.lineScale = ui.scale * (ui.preferences.theme == Theme::projector ? 1.6 : 1);
   input.transparent = transparent;
+  if (transparent) input.display.lightMarkers = false;
   return input;
 }
 

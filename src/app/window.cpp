@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -206,6 +208,7 @@ class MainWindow {
     desk_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
     ImGui_ImplGlfw_NewFrame();
     desk_->frame(seconds);
+    releaseKeys();
     glfwSwapBuffers(handle_.get());
     files_->update(now);
     stateLog_.add(*desk_);
@@ -213,11 +216,24 @@ class MainWindow {
     showTitle();
   }
 
+  // Dear ImGui 1.86 looks at keys once a frame: one that was pressed since the last frame is let go of after the
+  // next, however short the tap was.
+  void releaseKeys() {
+    freshKeys_.clear();
+    for (const auto& [key, code, modifiers] : lateReleases_) {
+      ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
+    }
+    lateReleases_.clear();
+  }
+
   void serveRequests() {
     UiRequests& requests = desk_->ui().requests;
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
-    if (const auto shot = std::exchange(requests.shot, std::nullopt)) takePicture(*shot);
+    // A large picture takes a while in which nothing else is drawn, so first it is said.
+    if (const auto shot = std::exchange(saidShot_, std::nullopt)) takePicture(*shot);
+    saidShot_ = std::exchange(requests.shot, std::nullopt);
+    if (saidShot_) say(tr("The picture is being drawn..."));
     keepProgress();
     if (!(desk_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
   }
@@ -252,17 +268,23 @@ class MainWindow {
     }
   }
 
+  // In the window that asked, or in the status line.
+  void say(const std::string& text) {
+    ExportDialog& dialog = desk_->ui().exporting;
+    (dialog.open ? dialog.message : desk_->work().message) = text;
+    if (dialog.open) dialog.lines.clear();
+    wakeUp();
+  }
+
   void takePicture(const ShotRequest& request) {
-    std::string& said = desk_->ui().exporting.open ? desk_->ui().exporting.message : desk_->work().message;
     try {
       const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
       savePng(path, takeShot(*desk_, request));
-      said = fmt::format(fmt::runtime(tr("Written: {}")), path.string());
+      say(fmt::format(fmt::runtime(tr("Written: {}")), path.string()));
       if (!request.path.empty()) ++desk_->work().exported;
     } catch (const Error& error) {
-      said = error.what();
+      say(error.what());
     }
-    wakeUp();
   }
 
   void toggleFullscreen() {
@@ -298,9 +320,14 @@ class MainWindow {
     GLFWwindow* window = handle_.get();
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int modifiers) {
-      ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       MainWindow& self = of(w);
       self.wakeUp();
+      if (action == GLFW_PRESS) self.freshKeys_.insert(key);
+      if (action == GLFW_RELEASE && self.freshKeys_.count(key) > 0) {
+        self.lateReleases_.push_back({key, code, modifiers});
+        return;
+      }
+      ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.desk_->key(keyByItsCap(key, code),
                         modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER),
@@ -351,6 +378,12 @@ class MainWindow {
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
   double lastFrame_ = 0, lastEvent_ = 0;
   int framesOwed_ = 3;
+  std::optional<ShotRequest> saidShot_;  // that is taken after the next frame
+  std::set<int> freshKeys_;              // pressed since the last frame
+  struct Release {
+    int key, code, modifiers;
+  };
+  std::vector<Release> lateReleases_;
 };
 
 }  // namespace

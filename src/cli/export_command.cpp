@@ -135,9 +135,13 @@ JsonValue writeFiles(const FinishedLevel& finished, const std::vector<ExportRequ
 
 void printCheck(const PrintCheck& check, std::size_t notMapped) {
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
-  fmt::print("{}{:<20}{}\n", formatPrintCheck(check), "printable", problems.empty() ? "yes" : "not as it is");
+  const std::vector<std::string> hints = findPrintHints(check);
+  fmt::print("{}{:<20}{}\n", formatPrintCheck(check), "printable",
+             !problems.empty() ? "not as it is"
+             : hints.empty()   ? "yes"
+                               : "yes, with care");
   for (const std::string& problem : problems) fmt::print("- {}\n", problem);
-  for (const std::string& hint : findPrintHints(check)) fmt::print("- {}\n", hint);
+  for (const std::string& hint : hints) fmt::print("- {}\n", hint);
 }
 
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {

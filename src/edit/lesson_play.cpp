@@ -46,6 +46,18 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
   return level;
 }
 
+// To the place in the morph, and from there to the sculpture again.
+double morphAt(const StepPlay& play, double share) {
+  const double goal = *play.move.morph;
+  if (share >= 1) return 1;
+  return share < 0.5 ? glm::mix(play.morphFrom, goal, eased(2 * share))
+                     : glm::mix(goal, 1.0, eased(2 * share - 1));
+}
+
+double durationOf(const StepPlay& play) {
+  return play.move.morph ? 2 * StepPlay::duration : StepPlay::duration;
+}
+
 // What cannot be half done is done at once.
 Level begun(const StepMove& move, const Workspace& work) {
   Level level = work.session.level();
@@ -114,14 +126,12 @@ bool advancePlay(Workspace& work, double seconds) {
     return true;
   }
   play->seconds += seconds;
-  const double share = std::min(1.0, play->seconds / StepPlay::duration);
+  const double length = durationOf(*play);
+  const double share = std::min(1.0, play->seconds / length);
   Level level = levelAt(play->move, play->from, share);
   if (!(level == play->last)) work.session.change(level);
   play->last = std::move(level);
-  if (play->move.morph) {
-    work.display.morph =
-        share >= 1 ? *play->move.morph : glm::mix(play->morphFrom, *play->move.morph, eased(share));
-  }
+  if (play->move.morph) work.display.morph = morphAt(*play, share);
   if (share >= 1) {
     work.session.finishChange();
     play.reset();
@@ -130,7 +140,7 @@ bool advancePlay(Workspace& work, double seconds) {
 }
 
 void finishPlay(Workspace& work) {
-  if (work.lesson.play) advancePlay(work, StepPlay::duration);
+  if (work.lesson.play) advancePlay(work, durationOf(*work.lesson.play));
 }
 
 }  // namespace anamorph

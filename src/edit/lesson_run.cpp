@@ -52,6 +52,7 @@ void beginStep(Workspace& work) {
   const std::size_t count = run.empty() ? 0 : run.open().done.size();
   run.wasFalse.assign(count, false);
   run.seen.assign(count, false);
+  run.doneNow = false;
   run.done = !run.empty() && isDone(run.lesson, run.open(), work.progress);
 }
 
@@ -75,7 +76,7 @@ void takeUpLesson(Workspace& work) {
 
 void markDone(Workspace& work) {
   LessonRun& run = work.lesson;
-  run.done = true;
+  run.done = run.doneNow = true;
   work.progress[run.lesson.id].insert(run.open().id);
 }
 
@@ -146,7 +147,7 @@ bool advanceLesson(Workspace& work) {
     takeUpLesson(work);
     return true;
   }
-  if (run.empty() || run.done || run.open().done.empty()) return false;
+  if (run.empty() || run.doneNow || run.open().done.empty()) return false;
   const auto& conditions = run.open().done;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const std::optional<bool> now = holds(conditions[i], run.begin, work);

@@ -47,6 +47,7 @@ struct LessonRun {
   Lesson lesson;
   std::size_t step = 0;  ///< that is open
   bool done = false;     ///< the open step, now or at some time before
+  bool doneNow = false;  ///< since it was opened
   LessonFacts begin;     ///< when it was opened
   /// Of the step's conditions: each has to become true while the step is open, so one that already holds
   /// has to be seen false first.

@@ -28,7 +28,6 @@ void takeNearer(Pick& best, const Pick& other) {
 }
 
 // ---- Icons
-// ----------------------------------------------------------------------------------------------------------
 
 Pick pickIcon(const PickInput& input, const Pixel& pixel) {
   Pick best;
@@ -54,7 +53,6 @@ Pick pickIcon(const PickInput& input, const Pixel& pixel) {
 }
 
 // ---- Surfaces
-// -------------------------------------------------------------------------------------------------------
 
 Pick pickGrid(const PickInput& input, const Ray& ray) {
   if (!input.display.rtCamera) return {};
@@ -99,6 +97,25 @@ Pick pickOriginal(const PickInput& input, const Ray& ray) {
   return {{Part::original}, {}, cornerOf(hit.triangle, corner), hit.t, where};
 }
 
+// The original's vertex that is seen nearest to the pixel: who aims at a corner often clicks just beside it.
+Pick pickVertexBeside(const PickInput& input, const Pixel& pixel) {
+  if (input.display.originalLook == OriginalLook::hidden || !input.original.mesh) return {};
+  const Mesh& mesh = *input.original.mesh;
+  double nearest = vertexPixels * input.uiScale;
+  std::optional<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    const auto seen = input.projection.pixelOf(mesh.positions[i]);
+    if (!seen || !(glm::length(*seen - pixel) <= nearest)) continue;
+    nearest = glm::length(*seen - pixel);
+    found = i;
+  }
+  const auto point = found ? pickedVertex(mesh, *found) : std::nullopt;
+  if (!point) return {};
+  const Point where = mesh.positions[*found];
+  const Ray ray = input.projection.rayThrough(pixel);
+  return {{Part::original}, {}, point, glm::dot(where - ray.origin, ray.direction), where};
+}
+
 Pick pickMirror(const PickInput& input, const Ray& ray) {
   const MirrorShape& shape = input.level.optic.shape;
   if (findShapeProblem(shape)) return {};
@@ -116,6 +133,7 @@ Pick pick(const PickInput& input, const Pixel& pixel) {
   Pick best = pickOriginal(input, ray);
   takeNearer(best, pickGrid(input, ray));
   takeNearer(best, pickSculpture(input, ray));
+  if (best.selection.part == Part::none) best = pickVertexBeside(input, pixel);
   const bool ghost =
       best.selection.part == Part::original && input.display.originalLook == OriginalLook::ghost;
   if (!ghost) takeNearer(best, pickMirror(input, ray));

@@ -55,7 +55,8 @@ struct PickInput {
   double uiScale = 1;
 };
 
-constexpr double iconPixels = 12;  ///< how near the mouse has to be, at 100 % UI scale
+constexpr double iconPixels = 12;   ///< how near the mouse has to be, at 100 % UI scale
+constexpr double vertexPixels = 6;  ///< likewise, of a vertex that it just misses
 
 Pick pick(const PickInput& input, const Pixel& pixel);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/language.h"
 #include "base/parallel_for.h"
 #include "edit/level_edits.h"
 #include "edit/orbit.h"
@@ -25,6 +26,8 @@ void dropStaleSelection(Workspace& work) {
   const bool inGrid =
       work.cell && work.cell->column < level.camera.gridColumns && work.cell->row < level.camera.gridRows;
   if (!inGrid) work.cell.reset();
+  const auto& original = work.studio.products().original.mesh;
+  if (work.point && original && !isOn(*original, *work.point)) work.point.reset();
 }
 
 bool advanceView(Workspace& work, double seconds) {
@@ -61,10 +64,26 @@ void openLevel(Workspace& work, const std::filesystem::path& path) {
   work.session.open(path);
   lookAfresh(work);
   work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
+  const auto left = work.leftLevels.extract(work.session.path());
+  if (left.empty()) return;
+  work.session.edit(left.mapped());
+  work.message = tr("As you left it. Ctrl+R: as it was.");
+}
+
+bool canBeLeft(const Workspace& work) {
+  return work.session.isInstalled();
+}
+
+void leaveLevel(Workspace& work) {
+  if (canBeLeft(work) && work.session.modified()) {
+    work.leftLevels[work.session.path()] = work.session.level();
+  }
 }
 
 void openNewLevel(Workspace& work) {
-  work.session.startNew(Level());
+  Level level;
+  level.view = {{19, -24, 15}, {0, -3, 2}, 40};  // the RT camera is in it, too
+  work.session.startNew(std::move(level));
   lookAfresh(work);
   work.message.clear();
 }

@@ -2,7 +2,9 @@
 // selected. Plain data with a few functions; no window and no ImGui, so tests and screenshots use the same.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +62,9 @@ struct Workspace {
   bool animationPaused = false;
   int rayStep = 0;  ///< +1, -1: the animation is to stop where the next, the last piece of a ray ends
 
+  /// Installed levels that were changed and left without saving, as they were left.
+  std::map<std::filesystem::path, Level> leftLevels;
+
   MorphStage morph;
 
   LessonRun lesson;
@@ -71,6 +76,11 @@ struct Workspace {
 
 /// Opens a level and looks at it from where it wants to be looked at. Throws Error and changes nothing then.
 void openLevel(Workspace& work, const std::filesystem::path& path);
+
+/// Whether the level may be left without a question: an installed one is as it was left when it is opened again.
+bool canBeLeft(const Workspace& work);
+/// Remembers the level for that, when it may and has been changed.
+void leaveLevel(Workspace& work);
 
 /// Begins a new level, the default one, and looks at it likewise.
 void openNewLevel(Workspace& work);

@@ -150,9 +150,10 @@ std::string formatPrintCheck(const PrintCheck& check) {
                          countOf(topology.inwardShells, "part inside out", "parts inside out")));
   line("self-intersections", check.crossings.pairs == 0 ? tr("none") : pairsOf(check.crossings));
   if (check.walls.samples > 0) {
-    line("walls",
-         fmt::format(fmt::runtime(tr("99 % thicker than {:.2f} mm; thinnest found {:.2f} mm near {}")),
-                     check.walls.firstPercentile, check.walls.least, placeOf(check.walls.leastAt)));
+    line("walls", fmt::format(fmt::runtime(tr("99 % thicker than {:.2f} mm; thinnest found {} mm near {}")),
+                              check.walls.firstPercentile,
+                              check.walls.least < 0.01 ? "< 0.01" : fmt::format("{:.2f}", check.walls.least),
+                              placeOf(check.walls.leastAt)));
   }
   if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
   return text;

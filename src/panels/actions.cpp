@@ -293,6 +293,7 @@ void perform(Action action, Workspace& work, UiState& ui) {
       return;
     case Action::renderImage:
       ui.render.open = true;
+      if (ui.textures.render.id == 0 && !ui.render.running) ui.requests.startRender = true;
       return;
     case Action::exportFiles:
       ui.exporting.open = !ui.exporting.open;

@@ -162,14 +162,24 @@ void drawButtons(const Workspace& work, UiState& ui) {
   }
 }
 
+// "name      value" in two columns, sentences over both.
+void outcomeLine(const UiState& ui, const std::string& line) {
+  const std::size_t gap = line.find("  ");
+  if (gap == std::string::npos) return quietText(ui, capitalised(line).c_str());
+  const float column = 0.3f * ImGui::GetWindowContentRegionMax().x;
+  quietText(ui, line.substr(0, gap).c_str());
+  ImGui::SameLine(column);
+  quietText(ui, line.substr(line.find_first_not_of(' ', gap)).c_str());
+}
+
 void drawOutcome(const UiState& ui) {
   const ExportDialog& dialog = ui.exporting;
   if (dialog.message.empty()) return;
   ImGui::Separator();
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(dialog.message.c_str());
+  ImGui::TextUnformatted(capitalised(dialog.message).c_str());
   ImGui::PopTextWrapPos();
-  for (const std::string& line : dialog.lines) quietText(ui, line.c_str());
+  for (const std::string& line : dialog.lines) outcomeLine(ui, line);
 }
 
 }  // namespace
@@ -189,9 +199,14 @@ void drawExportWindow(Workspace& work, UiState& ui) {
     }
     quietText(ui, explanation(dialog));
     ImGui::Dummy({0, 4 * s});
+    const auto before = std::pair(dialog.request.millimetresPerUnit, dialog.request.basePlate);
     ImGui::PushID(dialog.kind);
     kindRows(dialog);
     ImGui::PopID();
+    if (before != std::pair(dialog.request.millimetresPerUnit, dialog.request.basePlate)) {
+      dialog.message.clear();  // it was about something else
+      dialog.lines.clear();
+    }
     ImGui::EndDisabled();
     ImGui::Dummy({0, 4 * s});
     drawButtons(work, ui);

@@ -31,12 +31,28 @@ void finishEdits(Workspace& work, UiState& ui) {
   work.session.finishChange();
 }
 
+// "My first column!" -> "my-first-column"
+std::string fileNameOf(const std::string& title) {
+  std::string name;
+  for (const char c : title) {
+    const bool small = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'), capital = c >= 'A' && c <= 'Z';
+    if (small || capital) {
+      name += capital ? static_cast<char>(c + 32) : c;
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "level" : name.substr(0, 40);
+}
+
 // Where a level of one's own may go: beside the last one, never among the installed ones.
 fs::path proposedFile(const Workspace& work, const UiState& ui) {
   const fs::path& path = work.session.path();
   const bool own = !path.empty() && !work.session.isInstalled();
   if (own && !work.session.isThesisScene()) return path;
-  const fs::path name = path.empty() ? fs::path("level.json") : fs::path(path.stem().string() + "-copy.json");
+  const fs::path name = path.empty() ? fs::path(fileNameOf(work.session.level().title) + ".json")
+                                     : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
   return usualFolder(ui) / name;
 }
@@ -195,9 +211,13 @@ void settleRequests(Workspace& work, UiState& ui) {
     endViewDrag(work, ui, false);  // it would go on in the next level
     work.session.cancelChange();
     letGoOfWidgets();
-    if (work.session.modified()) {
+    const bool again = wish->next == UnsavedQuestion::Next::open && wish->path == work.session.path();
+    const bool quits = wish->next == UnsavedQuestion::Next::quit;
+    const bool lost = work.session.modified() && (again || quits || !canBeLeft(work));
+    if (lost || (quits && !work.leftLevels.empty())) {
       ui.unsaved = std::move(wish);
     } else {
+      leaveLevel(work);
       grant(*wish, ui.requests);
     }
   }

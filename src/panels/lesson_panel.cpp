@@ -92,17 +92,24 @@ void drawLesson(Workspace& work, UiState& ui) {
   const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
   ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
                     ImGuiWindowFlags_NavFlattened);
-  if (ui.scrolledStep != work.lesson.step) {
+  constexpr int layoutFrames = 3;  // until the height of what has been added is known
+  const StepOfLesson step{work.lesson.generation, work.lesson.step};
+  if (ui.scrolledStep != step) {
     ImGui::SetScrollY(0);
-    ui.scrolledStep = work.lesson.step;
-    ui.noticeSeen = work.lesson.done;
+    ui.noticeFrames = 0;
+  } else if (work.lesson.done && !ui.wasDone) {
+    ui.noticeFrames = layoutFrames;
   }
+  ui.scrolledStep = step;
+  ui.wasDone = work.lesson.done;
   title(ui, work.lesson.open().title);
   drawStepText(work.lesson, ui);
   drawBadge(work, ui);
   // What there is to notice must not appear below the edge.
-  if (work.lesson.done && !ui.noticeSeen) ImGui::SetScrollHereY(1);
-  ui.noticeSeen = work.lesson.done;
+  if (ui.noticeFrames > 0) {
+    ImGui::SetScrollHereY(1);
+    --ui.noticeFrames;
+  }
   ImGui::EndChild();
   drawButtons(work, ui);
 }

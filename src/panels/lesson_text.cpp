@@ -16,18 +16,12 @@ namespace {
 
 constexpr double highlightSeconds = 6;
 
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr(text.c_str()));
-  ImGui::PopTextWrapPos();
-}
-
 // Text beside a bar of some colour.
 void barred(const std::string& text, const ImVec4& color, const UiState& ui) {
   const float s = static_cast<float>(ui.scale), inset = 11 * s;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Indent(inset);
-  wrapped(text);
+  wrappedText(text);
   ImGui::Unindent(inset);
   const float to = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
   ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y}, {from.x + 4 * s, to},
@@ -36,11 +30,19 @@ void barred(const std::string& text, const ImVec4& color, const UiState& ui) {
 
 }  // namespace
 
+void wrappedText(const std::string& english) {
+  std::string text = tr(english);
+  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 1, "\u00a0");
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void drawStepText(const LessonRun& run, const UiState& ui) {
   const LessonStep& step = run.open();
   const Theme theme = ui.preferences.theme;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  wrapped(step.why);
+  wrappedText(step.why);
   if (!step.figure.empty()) {
     ImGui::Dummy({0, gap / 2});
     drawFigure(step.figure, ui);
@@ -102,13 +104,16 @@ void showStep(Workspace& work, UiState& ui) {
   const StepShow& show = work.lesson.open().show;
   const auto tab = std::find(stepTabs.begin(), stepTabs.end(), show.tab);
   if (tab != stepTabs.end()) openTab(work, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
+  pointAt("");  // also what was pointed at just now is scrolled to
   ui.highlight = show.widget;
+  ui.highlightStep = {work.lesson.generation, work.lesson.step};
   ui.highlightSeconds = show.widget.empty() ? 0 : highlightSeconds;
   playStep(work);
 }
 
-void updateHighlight(UiState& ui, double seconds) {
+void updateHighlight(const Workspace& work, UiState& ui, double seconds) {
   ui.highlightSeconds = std::max(0.0, ui.highlightSeconds - seconds);
+  if (ui.highlightStep != std::pair{work.lesson.generation, work.lesson.step}) ui.highlightSeconds = 0;
   if (ui.highlightSeconds == 0) ui.highlight.clear();
   pointAt(ui.highlight);
 }

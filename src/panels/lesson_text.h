@@ -7,6 +7,9 @@
 namespace anamorph {
 
 /// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
+/// In the chosen language, wrapped, with numbers that stay with their percent sign.
+void wrappedText(const std::string& english);
+
 void drawStepText(const LessonRun& run, const UiState& ui);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
@@ -22,6 +25,6 @@ void showStep(Workspace& work, UiState& ui);
 bool canShow(const LessonRun& run);
 
 /// Nothing, or the open step's control while it is pointed at; to be called once a frame.
-void updateHighlight(UiState& ui, double seconds);
+void updateHighlight(const Workspace& work, UiState& ui, double seconds);
 
 }  // namespace anamorph

@@ -48,7 +48,8 @@ MatchScore matchScore(const Products& products) {
   score.parts = {
       {"Silhouette", percent(report.silhouetteIou), report.silhouetteIou >= 0.99,
        "Pixels that original and reflection both show, of those that either shows (IoU)."},
-      {"Point error", fmt::format("{:.2f} px", report.p99Px), report.p99Px <= 1,
+      {"Point error", report.comparedPixels > 0 ? fmt::format("{:.2f} px", report.p99Px) : "-",
+       report.comparedPixels > 0 && report.p99Px <= 1,
        "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
       {"Hidden", fmt::format("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
        "Of the original's pixels: the sculpture itself stands between the eye and the mirror. Raise the "

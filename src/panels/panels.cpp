@@ -66,7 +66,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
                           ui.panelsHidden, work.preview.expanded, static_cast<int>(ui.levels.size())});
-  updateHighlight(ui, static_cast<double>(ImGui::GetIO().DeltaTime));
+  updateHighlight(work, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
   drawViewPanel(work, ui);
   drawMenuBar(work, ui);
   drawLevelPanel(work, ui);

@@ -31,16 +31,11 @@ void words(const LessonRun& run, const UiState& ui) {
                        tr(step.title.c_str()));
   }
   const FontScope huge(ui.fonts.huge);
-  const bool notice = run.done && !step.notice.empty();
-  ImGui::PushTextWrapPos();
-  if (notice) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.preferences.theme));
-    ImGui::TextUnformatted(tr(step.notice.c_str()));
-    ImGui::PopStyleColor();
-  } else {
-    ImGui::TextUnformatted(tr(step.task.c_str()));
-  }
-  ImGui::PopTextWrapPos();
+  // What was done while rehearsing is no answer yet.
+  const bool notice = run.doneNow && !step.notice.empty();
+  if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.preferences.theme));
+  wrappedText(notice ? step.notice : step.task);
+  if (notice) ImGui::PopStyleColor();
 }
 
 }  // namespace

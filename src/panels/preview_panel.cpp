@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "base/language.h"
+#include "panels/actions.h"
 #include "panels/match_score.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -156,7 +157,7 @@ void sizeAndRender(Workspace& work, UiState& ui) {
   if (ImGui::Combo("##size", &chosen, names, 6)) work.preview.size = sizes[std::clamp(chosen, 0, 5)];
   tooltip("The longer side of these pictures.");
   ImGui::SameLine();
-  if (ImGui::Button(tr("Render image"))) ui.render.open = true;
+  if (ImGui::Button(tr("Render image"))) perform(Action::renderImage, work, ui);
   tooltip("A high-resolution picture, to zoom into and to save.");
   ImGui::SameLine();
   if (ImGui::Button(tr(work.preview.expanded ? "Smaller" : "Larger"), {-FLT_MIN, 0}))

@@ -69,11 +69,11 @@ void drawPropertiesPanel(Workspace& work, UiState& ui) {
   constexpr std::array<Draw, 7> tabs{drawEyeProperties,       drawOriginalProperties, drawMirrorProperties,
                                      drawSculptureProperties, drawLightProperties,    drawRayProperties,
                                      drawViewProperties};
+  ImGui::PushID(tab);  // every tab has its own place to be scrolled to
   ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-  ImGui::PushID(tab);
   tabs[static_cast<std::size_t>(tab)](work, ui);
-  ImGui::PopID();
   ImGui::EndChild();
+  ImGui::PopID();
   ImGui::End();
 }
 

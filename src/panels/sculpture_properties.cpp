@@ -56,7 +56,7 @@ bool formulaRows(const UiState& ui, const Workspace& work, Mistakes& mistakes) {
   return changed;
 }
 
-void sizeRows(const Workspace& work) {
+void resultRows(const Workspace& work) {
   const Products& products = work.studio.products();
   if (!products.sculpture.sculpture) return;
   const Mesh& mesh = products.sculpture.sculpture->mesh;
@@ -96,11 +96,9 @@ void constructionRows(Workspace& work, const UiState& ui) {
 void drawSculptureProperties(Workspace& work, UiState& ui) {
   Level level = work.session.level();
   bool changed = false;
-  if (section(ui, "Deformation")) {
-    changed |= deformationRows(level.sculpture);
-    sizeRows(work);
-  }
+  if (section(ui, "Deformation")) changed |= deformationRows(level.sculpture);
   changed |= formulaRows(ui, work, level.sculpture.mistakes);
+  if (section(ui, "Result")) resultRows(work);
   if (section(ui, "Vertex ray")) constructionRows(work, ui);
   if (section(ui, "Shown as")) {
     sliderRow(

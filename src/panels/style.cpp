@@ -41,6 +41,7 @@ void setColors(const Palette& p, ImVec4* c) {
   c[ImGuiCol_ScrollbarGrab] = rgb(p.fieldHovered);
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = rgb(p.fieldActive);
   c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = rgb(p.accent);
+  c[ImGuiCol_SliderGrab].w = 0.6f;  // the number is read through it
   c[ImGuiCol_SliderGrabActive] = rgb(p.accentHovered);
   c[ImGuiCol_Button] = rgb(p.field);
   c[ImGuiCol_ButtonHovered] = rgb(p.fieldHovered);

@@ -98,10 +98,10 @@ void drawTour(Workspace&, UiState& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(ui.scale);
   dimAround(rect, display, ui);
-  // In the middle of the view: beside all parts, and in none but it.
+  // In the view: beside all parts, and in none but it; its buttons stay where they are.
   const Rect& view = ui.layout.view;
-  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height / 2}, ImGuiCond_Always,
-                          {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + 0.85f * view.height}, ImGuiCond_Always,
+                          {0.5f, 1});
   ImGui::SetNextWindowSize({std::min(340 * s, display.x), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * s);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * s, 12 * s});

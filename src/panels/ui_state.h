@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edit/gizmo_drag.h"
@@ -156,6 +157,9 @@ struct RenderDialog {
   std::string message;
 };
 
+/// A step of a level that was opened: the session's generation, and its number.
+using StepOfLesson = std::pair<int, std::size_t>;
+
 /// A drag in the 3D view that goes on.
 enum class ViewDrag { none, orbit, pan, gizmo };
 
@@ -182,14 +186,16 @@ struct UiState {
   bool panelsHidden = false;
   bool helpOpen = false;
   bool progressOpen = false;
-  bool resetAsked = false;       ///< whether progress is really to be forgotten
-  bool presenting = false;       ///< the open step in large letters
-  int tourCard = -1;             ///< of the tour; -1: it is not shown
-  double tourSeconds = 0;        ///< since its card appeared
-  std::string highlight;         ///< English name of the control that "show me" points at
-  double highlightSeconds = 0;   ///< that are left of it
-  bool noticeSeen = false;       ///< the open step's notice has been scrolled to
-  std::size_t scrolledStep = 0;  ///< the step that the lesson's text has been scrolled to the top for
+  bool resetAsked = false;      ///< whether progress is really to be forgotten
+  bool presenting = false;      ///< the open step in large letters
+  int tourCard = -1;            ///< of the tour; -1: it is not shown
+  double tourSeconds = 0;       ///< since its card appeared
+  std::string highlight;        ///< English name of the control that "show me" points at
+  double highlightSeconds = 0;  ///< that are left of it
+  StepOfLesson highlightStep;   ///< that it belongs to
+  int noticeFrames = 0;         ///< for which the open step's notice is still to be scrolled to
+  bool wasDone = false;         ///< the open step, in the last frame
+  StepOfLesson scrolledStep;    ///< that the lesson's text has been scrolled to the top for
   RenderDialog render;
   ExportDialog exporting;
 
@@ -206,6 +212,7 @@ struct UiState {
   double frameMilliseconds = 0;  ///< of the last drawn frame, for the status line
   double viewScale = 1;          ///< of the 3D view's picture
   int viewSamples = 0;
+  bool bare = false;      ///< a picture of the things alone: without legend and axes
   bool headless = false;  ///< a screenshot: nothing that differs from run to run is shown
 };
 

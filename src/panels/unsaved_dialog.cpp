@@ -1,5 +1,7 @@
 // What is to become of changes that are not saved, before the level is left.
 
+#include <string>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,29 +9,57 @@
 #include "panels/actions.h"
 #include "panels/dialog.h"
 #include "panels/file_flow.h"
+#include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
 
+std::string leftTitles(const Workspace& work) {
+  std::string titles;
+  for (const auto& [path, level] : work.leftLevels) {
+    titles += (titles.empty() ? "" : ", ") + tr(level.title.empty() ? path.stem().string() : level.title);
+  }
+  return titles;
+}
+
 enum class Answer { none = -1, save, drop, cancel };
 
-Answer ask(const Workspace& work, const UiState& ui) {
+void paragraph(const std::string& text) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void aboutThisLevel(const Workspace& work, const UiState& ui) {
   const Level& level = work.session.level();
   const std::string title = level.title.empty() ? std::string(tr("This level")) : tr(level.title);
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(
-      fmt::format(fmt::runtime(tr("\"{}\" has changes that are not saved. Without saving they are lost.")),
-                  title)
-          .c_str());
-  if (!work.session.path().empty()) {
-    ImGui::TextDisabled("%s", work.session.path().string().c_str());
+  paragraph(fmt::format(
+      fmt::runtime(tr("\"{}\" has changes that are not saved. Without saving they are lost.")), title));
+  if (work.session.isInstalled()) {
+    quietText(ui, "The level itself stays as it is: you save a copy of your own.");
+  } else if (!work.session.path().empty()) {
+    quietText(ui, work.session.path().c_str());
   }
-  ImGui::PopTextWrapPos();
+}
+
+Answer ask(const Workspace& work, const UiState& ui) {
+  const bool modified = work.session.modified();
+  if (modified) aboutThisLevel(work, ui);
+  if (ui.unsaved->next == UnsavedQuestion::Next::quit && !work.leftLevels.empty()) {
+    paragraph(fmt::format(
+        fmt::runtime(tr("Changed and left without saving: {}. The next time they are as they were.")),
+        leftTitles(work)));
+  }
   ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
+  const bool enter = dialogKey(ui, keys::enter) || dialogKey(ui, keys::padEnter);
+  if (dialogKey(ui, keys::escape)) return Answer::cancel;
+  if (!modified) {
+    const int pressed = dialogButtons({"Quit", "Cancel"});
+    return enter || pressed == 0 ? Answer::drop : pressed == 1 ? Answer::cancel : Answer::none;
+  }
   const auto pressed = static_cast<Answer>(dialogButtons({"Save", "Don't save", "Cancel"}));
-  if (dialogKey(ui, keys::enter) || dialogKey(ui, keys::padEnter)) return Answer::save;
-  if (dialogKey(ui, 'D')) return Answer::drop;
-  return dialogKey(ui, keys::escape) ? Answer::cancel : pressed;
+  if (enter) return Answer::save;
+  return dialogKey(ui, 'D') ? Answer::drop : pressed;
 }
 
 }  // namespace

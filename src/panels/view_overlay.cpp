@@ -211,12 +211,12 @@ void drawViewOverlay(Workspace& work, UiState& ui) {
   drawAim(ink, work);
   if (const auto construction = currentConstruction(work)) drawConstruction(ink, *construction);
   drawGizmo(ink, emphasised(currentGizmo(work, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
-  if (!ui.presenting) drawAxes(ink, rect);  // the words are there
+  if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(work, ui);
   drawProblem(work, ui);
-  if (ui.preferences.legend && work.rays.show) drawLegend(work, ui);
+  if (ui.preferences.legend && work.rays.show && !ui.bare) drawLegend(work, ui);
 }
 
 }  // namespace anamorph

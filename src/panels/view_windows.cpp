@@ -24,13 +24,6 @@ float scaled(const UiState& ui, float length) {
   return length * static_cast<float>(ui.scale);
 }
 
-// Sentences of the pipeline begin in small letters, as they come after a file's name elsewhere.
-std::string capitalised(std::string sentence) {
-  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
-    sentence[0] = static_cast<char>(sentence[0] - 32);
-  return sentence;
-}
-
 // The window that has just begun goes in front of the view and behind everything else: Dear ImGui has no flag for
 // that, only a list of windows from back to front.
 void placeAboveView() {
@@ -146,8 +139,9 @@ void drawLegend(const Workspace& work, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
   legendLine(ui, legendLines[fromEye]);
-  if (work.session.level().optic.kind == OpticKind::mirror) legendLine(ui, legendLines[reflectedRay]);
-  if (work.point) legendLine(ui, legendLines[normalLine]);
+  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
+  if (reflects) legendLine(ui, legendLines[reflectedRay]);
+  if (work.point && reflects) legendLine(ui, legendLines[normalLine]);
   if (work.rays.lightRays) {
     legendLine(ui, legendLines[toLight]);
     legendLine(ui, legendLines[inShadow]);

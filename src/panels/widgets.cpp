@@ -30,6 +30,8 @@ void outline(const ImVec2& low, const ImVec2& high) {
   ++pointer.count;
   const float pulse = 0.5f + 0.5f * std::sin(6 * static_cast<float>(ImGui::GetTime()));
   const float grow = ImGui::GetFontSize() * (0.15f + 0.12f * pulse);
+  const ImRect& room = ImGui::GetCurrentWindow()->ClipRect;
+  if (!room.Overlaps({low, high})) return;
   ImGui::GetForegroundDrawList()->AddRect({low.x - grow, low.y - grow}, {high.x + grow, high.y + grow},
                                           IM_COL32(255, 120, 0, 255), grow, 0, 0.2f * ImGui::GetFontSize());
 }
@@ -96,7 +98,8 @@ bool section(const UiState& ui, const char* title, bool open) {
   ImGui::Dummy({0, 2});
   const FontScope strong(ui.fonts.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
-  const bool shown = ImGui::CollapsingHeader(label(title).c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::SetNextItemOpen(open, ImGuiCond_Once);
+  const bool shown = ImGui::CollapsingHeader(label(title).c_str());
   ImGui::PopStyleColor();
   return shown;
 }
@@ -111,11 +114,26 @@ bool numberRow(const char* name, double& value, const NumberRange& range, const 
   return takeFinite(changed, value, before);
 }
 
+// A double click types into a slider, as into all other numbers: for Dear ImGui 1.86 that is a click with Ctrl.
+class TypeByDoubleClick {
+ public:
+  TypeByDoubleClick() : control_(ImGui::GetIO().KeyCtrl) {
+    if (ImGui::IsMouseDoubleClicked(0)) ImGui::GetIO().KeyCtrl = true;
+  }
+  ~TypeByDoubleClick() { ImGui::GetIO().KeyCtrl = control_; }
+  TypeByDoubleClick(const TypeByDoubleClick&) = delete;
+  TypeByDoubleClick& operator=(const TypeByDoubleClick&) = delete;
+
+ private:
+  bool control_;
+};
+
 bool sliderRow(const char* name, double& value, const NumberRange& range, const char* help,
                bool logarithmic) {
   beginRow(name, help);
   const int flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   const double before = value;
+  const TypeByDoubleClick types;
   const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
                                            range.format, flags);
   endRow(help);
@@ -124,6 +142,7 @@ bool sliderRow(const char* name, double& value, const NumberRange& range, const 
 
 bool integerRow(const char* name, int& value, int min, int max, const char* help) {
   beginRow(name, help);
+  const TypeByDoubleClick types;
   const bool changed = ImGui::SliderInt("##value", &value, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
   endRow(help);
   return changed;
@@ -254,8 +273,17 @@ void tooltip(const char* text) {
   const float rested = moved ? 0 : storage->GetFloat(key) + io.DeltaTime;
   storage->SetFloat(key, rested);
   if (rested < 0.5f) return;
+  // Below the control, or above it at the lower edge: under the mouse it would cover what it tells of.
+  const float wide = ImGui::GetFontSize() * 22, gap = 4;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = io.DisplaySize;
+  const ImVec2 extent = ImGui::CalcTextSize(tr(text), nullptr, false, wide);
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const bool below = high.y + gap + extent.y + 2 * padding.y < size.y;
+  const float x = std::max(0.0f, std::min(low.x, size.x - extent.x - 2 * padding.x));
+  ImGui::SetNextWindowPos({x, below ? high.y + gap : low.y - gap}, ImGuiCond_Always,
+                          {0, below ? 0.0f : 1.0f});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  ImGui::PushTextWrapPos(wide);
   ImGui::TextUnformatted(tr(text));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -279,13 +307,17 @@ void quietText(const UiState& ui, const char* text) {
   ImGui::PopStyleColor();
 }
 
+std::string capitalised(std::string sentence) {
+  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z')
+    sentence[0] = static_cast<char>(sentence[0] - 32);
+  return sentence;
+}
+
 void problemText(const UiState& ui, const std::string& text) {
   if (text.empty()) return;
-  std::string sentence = tr(text);
-  if (sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] = static_cast<char>(sentence[0] - 32);
   ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
   ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(sentence.c_str());
+  ImGui::TextUnformatted(capitalised(tr(text)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }

@@ -72,6 +72,9 @@ bool closePopups();
 /// Wrapped text of second rank.
 void quietText(const UiState& ui, const char* text);
 
+/// Sentences of the pipeline begin in small letters, as they come after a file's name elsewhere.
+std::string capitalised(std::string sentence);
+
 /// What is wrong, in red, below the row that it is about; begins with a capital letter. Nothing for an empty
 /// text.
 void problemText(const UiState& ui, const std::string& text);

@@ -183,5 +183,23 @@ TEST(Pick, NothingThereAndAbsurdLevelsDoNoHarm) {
   }
 }
 
+TEST(Pick, FindsAVertexThatIsJustMissed) {
+  const Made made{Level{}};
+  const Mesh& original = *made.original.mesh;
+  const ViewPose pose{{12, -9, 7}, boundingBox(original.positions).centre()};
+  const ViewProjection seen(pose, 800, 600);
+  // The vertex that is seen farthest to the right is a corner of the outline.
+  std::size_t corner = 0;
+  for (std::size_t i = 0; i < original.positions.size(); ++i) {
+    if (seen.pixelOf(original.positions[i])->x > seen.pixelOf(original.positions[corner])->x) corner = i;
+  }
+  const Pixel at = *seen.pixelOf(original.positions[corner]);
+  const Pick beside = made.at(pose, at + Pixel(3, 0));
+  ASSERT_TRUE(beside.point);
+  EXPECT_EQ(beside.selection.part, Part::original);
+  EXPECT_LT(glm::length(pointOn(original, *beside.point) - original.positions[corner]), 1e-9);
+  EXPECT_FALSE(made.at(pose, at + Pixel(20, 0)).point);
+}
+
 }  // namespace
 }  // namespace anamorph

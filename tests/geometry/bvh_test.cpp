@@ -476,9 +476,9 @@ TEST(Bvh, RaysThatAreNoRaysMeetNothing) {
   const Mesh mesh = makeSphere(1, 64);
   const Bvh bvh(mesh.positions, mesh.triangles);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Ray& ray : {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{nan, nan, nan}, {nan, nan, nan}},
-                         Ray{{0, 0, 0}, {0, nan, 1}}, Ray{{0, 0, 0}, {0, 0, 0}}, Ray{{infinity, 0, 0}, {-1, 0, 0}},
-                         Ray{{0, 0, 0}, {infinity, 0, 0}}}) {
+  for (const Ray& ray :
+       {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{nan, nan, nan}, {nan, nan, nan}}, Ray{{0, 0, 0}, {0, nan, 1}},
+        Ray{{0, 0, 0}, {0, 0, 0}}, Ray{{infinity, 0, 0}, {-1, 0, 0}}, Ray{{0, 0, 0}, {infinity, 0, 0}}}) {
     BvhHit hit;
     EXPECT_FALSE(bvh.closestHit(ray, hit));
     EXPECT_FALSE(bvh.anyHit(ray));

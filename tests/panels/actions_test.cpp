@@ -104,8 +104,8 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
 }
 
 TEST(Actions, OnlyTheWindowsOwnAreAskedOfIt) {
-  const std::set<Action> asked{Action::reload,     Action::screenshot, Action::quit,
-                               Action::fullscreen, Action::nextLevel,  Action::newLevel};
+  const std::set<Action> asked{Action::reload,    Action::screenshot,  Action::quit,    Action::fullscreen,
+                               Action::nextLevel, Action::renderImage, Action::newLevel};
   for (const Action action : allActions()) {
     Workspace work({}, 1);
     openLevel(work, levels / "0-perspective.json");  // the first

@@ -139,7 +139,7 @@ TEST_F(FileFlow, ANewLevelGetsAName) {
   type("fresh");
   key(keys::enter);
   EXPECT_EQ(work.session.path(), folder_ / "fresh.json");
-  EXPECT_EQ(loadLevel(folder_ / "fresh.json").level, Level());
+  EXPECT_EQ(loadLevel(folder_ / "fresh.json").level, work.session.level());
 }
 
 TEST_F(FileFlow, WithoutChangesNothingIsAsked) {
@@ -193,7 +193,7 @@ TEST_F(FileFlow, NotSavingGoesOnWithout) {
 }
 
 TEST_F(FileFlow, SavingUnderANameThenGoesOn) {
-  open("1-plane");
+  act(Action::newLevel);
   modify();
   ui.requests.open = folder_ / "other.json";
   step(2);
@@ -202,11 +202,11 @@ TEST_F(FileFlow, SavingUnderANameThenGoesOn) {
   EXPECT_EQ(opened_, "");
   key(keys::enter);
   EXPECT_EQ(opened_, folder_ / "other.json");
-  EXPECT_EQ(savedDepth("1-plane-copy.json"), 2);
+  EXPECT_EQ(savedDepth("level.json"), 2);
 }
 
 TEST_F(FileFlow, NoNameIsNoStep) {
-  open("1-plane");
+  act(Action::newLevel);
   modify();
   ui.requests.open = folder_ / "other.json";
   step(2);
@@ -216,6 +216,54 @@ TEST_F(FileFlow, NoNameIsNoStep) {
   EXPECT_FALSE(isDialogOpen(ui));
   EXPECT_EQ(opened_, "");
   EXPECT_TRUE(work.session.modified());
+}
+
+TEST_F(FileFlow, AnInstalledLevelIsLeftWithoutAQuestionAndFoundAsItWas) {
+  open("1-plane");
+  const fs::path plane = work.session.path();
+  const Level before = work.session.level();
+  modify();
+  const Level changed = work.session.level();
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  EXPECT_FALSE(isDialogOpen(ui));
+  EXPECT_EQ(opened_, folder_ / "other.json");
+  ui.requests.open = plane;
+  step(2);
+  EXPECT_EQ(work.session.level(), changed);
+  act(Action::resetLevel);
+  EXPECT_EQ(work.session.level(), before);
+  modify();
+  act(Action::reload);
+  EXPECT_TRUE(ui.unsaved) << "reloading would lose it";
+  key(keys::escape);
+  EXPECT_FALSE(ui.unsaved);
+}
+
+TEST_F(FileFlow, QuittingTellsWhatWasLeft) {
+  open("1-plane");
+  modify();
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  perform(Action::quit, work, ui);
+  step(2);
+  ASSERT_TRUE(ui.unsaved);
+  key(keys::escape);
+  EXPECT_FALSE(ui.requests.quit);
+  perform(Action::quit, work, ui);
+  step(2);
+  handleKey(keys::enter, 0, work, ui);
+  step();
+  EXPECT_TRUE(ui.requests.quit);
+}
+
+TEST_F(FileFlow, ProposesANameMadeOfTheTitle) {
+  act(Action::newLevel);
+  Level level = work.session.level();
+  level.title = " Mijn 1e zuil: (blauw)! ";
+  work.session.edit(level);
+  act(Action::saveAs);
+  EXPECT_EQ(ui.browser.text, "mijn-1e-zuil-blauw.json");
 }
 
 TEST_F(FileFlow, AFailedSaveSaysWhyAndStays) {

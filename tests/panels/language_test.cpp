@@ -176,8 +176,7 @@ class DrawnText : public PanelsTest {
   void unfold() const {
     for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
       if (std::string(window->Name).find("properties/rows") != 0) continue;
-      const int tab = static_cast<int>(ui.tab);
-      const ImGuiID rows = ImHashData(&tab, sizeof(tab), window->ID);
+      const ImGuiID rows = window->ID;
       for (const char* section :
            {"Ray tracer", "Look", "Material", "Surroundings", "Title and description"}) {
         window->StateStorage.SetInt(ImHashStr(section, 0, rows), 1);

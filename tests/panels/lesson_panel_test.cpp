@@ -73,6 +73,18 @@ TEST_F(LessonPanelTest, WhatShowMeDidIsOneStepBack) {
   EXPECT_EQ(work.session.level(), before);
 }
 
+TEST_F(LessonPanelTest, WhatIsPointedAtIsOfTheOpenStepOnly) {
+  openLesson();
+  openStep(work, 1);
+  frames(2);
+  handleKey('M', 0, work, ui);
+  frames(3);
+  EXPECT_EQ(ui.highlight, "Depth scale k");
+  handleKey(keys::right, keys::alt, work, ui);
+  frames(2);
+  EXPECT_EQ(ui.highlight, "");
+}
+
 TEST_F(LessonPanelTest, KeysStepAndThePresenterTakesArrows) {
   openLesson();
   handleKey(keys::right, 0, work, ui);

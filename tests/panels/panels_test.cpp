@@ -5,7 +5,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
+#include "panels/widgets.h"
 #include "panels_fixture.h"
 
 namespace anamorph::testing {
@@ -322,6 +324,32 @@ TEST_F(TypedNumber, StaysFiniteAndInItsRange) {
   }
   while (work.session.canUndo()) work.session.undo();
   EXPECT_NE(x(), startX);
+}
+
+// A slider jumps to where it is clicked; a second click at once types.
+TEST_F(NumberRow, ADoubleClickTypesIntoASlider) {
+  openTab(work, ui, PropertyTab::eye);
+  frames(2);
+  const Rect& rect = ui.layout.properties;
+  bool typed = false;
+  for (float y = rect.y + 70; y < rect.y + rect.height && !typed; y += 5) {
+    moveMouse(rect.x + 0.6f * rect.width, y);
+    frames(30);  // not the second click of the last place
+    const double fov = work.session.level().camera.fovDegrees;
+    for (const bool down : {true, false, true, false}) {
+      press(down);
+      frame(0.02);
+    }
+    const bool slider = work.session.level().camera.fovDegrees != fov;
+    if (slider) {
+      EXPECT_TRUE(ImGui::GetIO().WantTextInput || ImGui::GetActiveID() != 0);
+      typed = ImGui::GetActiveID() == ImGui::GetCurrentContext()->TempInputId && ImGui::GetActiveID() != 0;
+      EXPECT_TRUE(typed);
+    }
+    letGoOfWidgets();
+    frames(2);
+  }
+  EXPECT_TRUE(typed);
 }
 
 TEST_F(TypedNumber, IsAStepOfItsOwnBeforeADragOfTheGizmo) {
