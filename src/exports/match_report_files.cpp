@@ -18,12 +18,13 @@ h1 { margin: 0; font-size: 1.7rem; }
          background: #0072b2; font-weight: 600; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(16rem, 1fr)); gap: 1rem; }
 figure { margin: 0; }
-img { width: 100%; display: block; border-radius: 4px; }
+img { width: 100%; height: auto; display: block; border-radius: 4px; }
 figcaption { font-size: .9rem; margin-top: .4rem; }
 table { border-collapse: collapse; margin: 1.5rem 0; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: .45rem .8rem .45rem 0; border-top: 1px solid #d5d9de; }
 th { font-weight: 600; white-space: nowrap; }
 td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
+.kind { white-space: nowrap; }
 .swatch { display: inline-block; width: .8em; height: .8em; border-radius: 2px; margin: 0 .25em 0 .5em; }
 .small { font-size: .9rem; color: #57606a; }
 )";
@@ -36,7 +37,9 @@ std::string legend() {
                                                             {"#cc79a7", "no mirror"}};
   std::string text = tr("grey: both agree");
   for (const auto& [color, meaning] : colors) {
-    text += fmt::format("; <span class=\"swatch\" style=\"background:{}\"></span>{}", color, tr(meaning));
+    text +=
+        fmt::format("; <span class=\"kind\"><span class=\"swatch\" style=\"background:{}\"></span>{}</span>",
+                    color, tr(meaning));
   }
   return text;
 }

@@ -22,7 +22,8 @@ void leaveKeyFocus(UiState& ui);
 /// while a panel has the keyboard.
 bool isForPanel(const UiState& ui, int key, int modifiers);
 
-/// Once a frame, after the panels are drawn: gives the keyboard to the panel that is to have it.
+/// Once a frame, after the layout is known and before the panels are drawn: gives the keyboard to the panel that is
+/// to have it, and to its first control.
 void updateKeyFocus(UiState& ui);
 
 }  // namespace anamorph

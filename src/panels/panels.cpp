@@ -66,6 +66,7 @@ void drawPanels(Workspace& work, UiState& ui) {
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
                           ui.panelsHidden, work.preview.expanded, static_cast<int>(ui.levels.size())});
+  updateKeyFocus(ui);
   updateHighlight(work, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
   drawViewPanel(work, ui);
   drawMenuBar(work, ui);
@@ -82,7 +83,6 @@ void drawPanels(Workspace& work, UiState& ui) {
   drawPresenter(work, ui);
   drawTour(work, ui);
   drawDialogs(work, ui);
-  updateKeyFocus(ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
   if (!work.session.changing() || ui.gizmoDrag || work.lesson.play || ImGui::IsAnyItemActive()) return;

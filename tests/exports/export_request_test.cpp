@@ -150,6 +150,7 @@ TEST(Export, MatchPageHoldsThreePicturesOfItsSize) {
   }
   EXPECT_EQ(pictures, 3);
   EXPECT_THAT(html, HasSubstr("silhouette IoU"));
+  EXPECT_THAT(html, HasSubstr("height: auto")) << "pictures keep their proportions in narrow columns";
   EXPECT_EQ(html.find("http"), std::string::npos) << "nothing from elsewhere";
 }
 

@@ -47,6 +47,8 @@ TEST_F(KeyFocus, GoesAroundAllPanels) {
     key(keys::f6);
     EXPECT_EQ(ui.keyPanel, name);
     EXPECT_EQ(focused(), name);
+    EXPECT_NE(GImGui->NavId, 0u) << "its first control is marked at once";
+    EXPECT_FALSE(GImGui->NavDisableHighlight);
   }
   key(keys::f6);
   EXPECT_EQ(ui.keyPanel, "") << "the 3D view again";
