@@ -73,6 +73,19 @@ TEST_F(RealWindowLessons, TheTourGoesOnByItself) {
   EXPECT_TRUE(wait([](const State& s) { return s.number("tourCard") == 2; })) << "the mouse rests";
 }
 
+TEST_F(RealWindowLessons, ANumberIsChangedByKeysAlone) {
+  start({"1-plane"});
+  for (int i = 0; i < 3; ++i) window->key("F6");  // levels, lesson, properties
+  for (int i = 0; i < 3; ++i) window->key("Down");
+  window->key("Return");
+  window->xdotool("sleep 0.2 type --delay 30 2.5");
+  window->key("Return");
+  EXPECT_TRUE(wait([](const State& s) { return s.vector("eye").x == 2.5; }));
+  window->key("Escape");
+  window->xdotool("keydown ctrl keydown z sleep 0.06 keyup z keyup ctrl");
+  EXPECT_TRUE(wait([](const State& s) { return s.vector("eye").x == 0; }));
+}
+
 TEST_F(RealWindowLessons, TheFirstStartShowsAroundOnce) {
   start({"0-perspective", "--with-tour"});
   EXPECT_GE(window->state().number("tourCard"), 0);

@@ -302,6 +302,18 @@ TEST_F(RealWindow, KeysForTheView) {
   EXPECT_TRUE(window->waitFor([](const State& s) { return !s.is("helpOpen"); }, 20));
 }
 
+TEST_F(RealWindow, FillsTheScreenAndComesBack) {
+  start();
+  window->key("F11");
+  EXPECT_TRUE(window->waitFor([](const State& s) {
+    return s.list("window") == std::vector<double>{2600, 1500};
+  }));
+  window->key("F11");
+  EXPECT_TRUE(window->waitFor([](const State& s) {
+    return s.list("window") == std::vector<double>{1000, 700};
+  }));
+}
+
 TEST_F(RealWindow, CanBeOfAnySize) {
   start();
   for (const auto& [width, height] :
