@@ -1,4 +1,4 @@
-#include "app/window.h"
+#include "app/key_taps.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include <imgui.h>
 
 #include "app/desk.h"
+#include "app/key_taps.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
 #include "app/shot.h"
@@ -208,22 +208,14 @@ class MainWindow {
     desk_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
     ImGui_ImplGlfw_NewFrame();
     desk_->frame(seconds);
-    releaseKeys();
+    for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {
+      ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
+    }
     glfwSwapBuffers(handle_.get());
     files_->update(now);
     stateLog_.add(*desk_);
     serveRequests();
     showTitle();
-  }
-
-  // Dear ImGui 1.86 looks at keys once a frame: one that was pressed since the last frame is let go of after the
-  // next, however short the tap was.
-  void releaseKeys() {
-    freshKeys_.clear();
-    for (const auto& [key, code, modifiers] : lateReleases_) {
-      ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
-    }
-    lateReleases_.clear();
   }
 
   void serveRequests() {
@@ -322,11 +314,8 @@ class MainWindow {
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int modifiers) {
       MainWindow& self = of(w);
       self.wakeUp();
-      if (action == GLFW_PRESS) self.freshKeys_.insert(key);
-      if (action == GLFW_RELEASE && self.freshKeys_.count(key) > 0) {
-        self.lateReleases_.push_back({key, code, modifiers});
-        return;
-      }
+      if (action == GLFW_PRESS) self.keyTaps_.press(key);
+      if (action == GLFW_RELEASE && self.keyTaps_.waits({key, code, modifiers})) return;
       ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.desk_->key(keyByItsCap(key, code),
@@ -379,11 +368,7 @@ class MainWindow {
   double lastFrame_ = 0, lastEvent_ = 0;
   int framesOwed_ = 3;
   std::optional<ShotRequest> saidShot_;  // that is taken after the next frame
-  std::set<int> freshKeys_;              // pressed since the last frame
-  struct Release {
-    int key, code, modifiers;
-  };
-  std::vector<Release> lateReleases_;
+  KeyTaps keyTaps_;
 };
 
 }  // namespace
