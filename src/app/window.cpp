@@ -1,4 +1,4 @@
-#include "app/key_taps.h"
+#include "app/window.h"
 
 #include <algorithm>
 #include <chrono>
