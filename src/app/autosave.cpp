@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <ctime>
 #include <exception>
@@ -38,12 +39,29 @@ std::string absolutePath(const fs::path& path) {
   return (failure ? path : absolute).string();  // there may be no working folder any more
 }
 
-std::string format(const Session& session) {
+// Times of files are compared only by the system that made them: the count of its clock will do.
+std::string textOf(const std::optional<fs::file_time_type>& time) {
+  return time ? std::to_string(time->time_since_epoch().count()) : "";
+}
+
+std::optional<fs::file_time_type> fileTimeOf(const JsonValue& json) {
+  const JsonValue* value = findMember(json, "fileTime");
+  fs::file_time_type::rep count = 0;
+  if (!value || value->text.empty()) return std::nullopt;
+  const char* end = value->text.data() + value->text.size();
+  const auto read = std::from_chars(value->text.data(), end, count);
+  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return fs::file_time_type(fs::file_time_type::duration(count));
+}
+
+std::string format(const fs::path& path, const Level& level,
+                   const std::optional<fs::file_time_type>& fileTime) {
   return formatJson(JsonObject()
                         .add("format", std::string("anamorph-recovery"))
-                        .add("path", absolutePath(session.path()))
+                        .add("path", absolutePath(path))
                         .add("time", static_cast<double>(std::time(nullptr)))
-                        .add("level", parseJson(formatLevel(session.level()), "the level"))
+                        .add("fileTime", textOf(fileTime))
+                        .add("level", parseJson(formatLevel(level), "the level"))
                         .value()) +
          "\n";
 }
@@ -75,6 +93,7 @@ void read(Rescued& rescued) {
   }
   rescued.levelPath = member(json, "path", JsonValue::Kind::string, name).text;
   rescued.entry.level = rescued.levelPath;
+  rescued.fileTime = fileTimeOf(json);
   const double time = member(json, "time", JsonValue::Kind::number, name).number;
   constexpr double latest = 1e11;  // seconds; clocks of thousands of years ahead cannot be written as dates
   if (!(time >= 0 && time <= latest)) throw Error("expected a time, got another number", name, "/time");
@@ -152,7 +171,7 @@ std::vector<Rescued> findRescued(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
     if (!isRecovery(entry->path())) continue;
-    Rescued rescued{entry->path(), FileLock(lockOf(entry->path())), {}, {}, {}};
+    Rescued rescued{entry->path(), FileLock(lockOf(entry->path())), {}, {}, {}, {}};
     if (!rescued.lock.held()) continue;  // of a window that lives
     std::error_code ignored;
     if (!fs::exists(rescued.file, ignored)) {
@@ -178,17 +197,21 @@ void discard(Rescued& rescued) {
   rescued.lock.removeFile();
 }
 
+void Autosave::Slot::remove() {
+  std::error_code ignored;
+  if (!file.empty()) fs::remove(file, ignored);
+  lock.removeFile();
+}
+
 Autosave::~Autosave() {
   worker_.reset();                             // waits for what is being written
   if (std::uncaught_exceptions() > 0) return;  // the program is failing: this is what it is for
-  std::error_code ignored;
-  if (!file_.empty()) fs::remove(file_, ignored);
-  lock_.removeFile();
+  slot_.remove();
+  for (auto& [path, left] : left_) left.slot.remove();
 }
 
 // A name that no other window has, living or dead.
-void Autosave::takeSlot() {
-  if (lock_.held()) return;
+Autosave::Slot Autosave::freshSlot() const {
   makeFolder(folder_);
   removeLeftTemporaries(folder_);
   std::error_code ignored;
@@ -197,11 +220,33 @@ void Autosave::takeSlot() {
     const fs::path file = folder_ / fmt::format("recovery-{}{}.json", ::getpid(), number);
     FileLock lock(lockOf(file));
     if (!lock.held() || fs::exists(file, ignored)) continue;
-    lock_ = std::move(lock);
-    file_ = file;
-    return;
+    return {file, std::move(lock)};
   }
   throw Error("unsaved changes cannot be kept here", folder_.string());
+}
+
+std::optional<std::string> Autosave::keepLeft(const std::map<fs::path, Level>& left) {
+  for (auto kept = left_.begin(); kept != left_.end();) {
+    if (left.count(kept->first) > 0) {
+      ++kept;
+      continue;
+    }
+    kept->second.slot.remove();  // it is the open one again
+    kept = left_.erase(kept);
+  }
+  std::optional<std::string> failure;
+  for (const auto& [path, level] : left) {
+    Left& kept = left_[path];
+    if (!kept.slot.file.empty() && kept.level == level) continue;
+    try {
+      if (kept.slot.file.empty()) kept.slot = freshSlot();
+      kept.level = level;
+      writeFile(kept.slot.file, format(path, level, std::nullopt));
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+  }
+  return failure;
 }
 
 std::optional<double> Autosave::due() const {
@@ -220,9 +265,10 @@ std::optional<double> Autosave::secondsUntilDue(double now) const {
 
 void Autosave::write(const Session& session, bool wait) {
   if (canBeRead(session.level())) {  // else the last one that can be is worth more
-    takeSlot();
+    if (!slot_.lock.held()) slot_ = freshSlot();
     onDisk_ = true;
-    const auto job = [file = file_, text = format(session)](const Progress&) { writeFile(file, text); };
+    const auto job = [file = slot_.file, text = format(session.path(), session.level(), session.fileTime())](
+                         const Progress&) { writeFile(file, text); };
     if (!worker_) worker_ = std::make_unique<Worker>();
     wait ? job({}) : worker_->request(job);
   }
@@ -239,7 +285,7 @@ std::optional<std::string> Autosave::update(const Session& session, double now) 
     kept_.reset();
     if (std::exchange(onDisk_, false)) {
       if (!worker_) worker_ = std::make_unique<Worker>();
-      worker_->request([file = file_](const Progress&) {
+      worker_->request([file = slot_.file](const Progress&) {
         std::error_code ignored;
         fs::remove(file, ignored);
       });

@@ -6,11 +6,12 @@
 //   it has died:      recovery-4711.lock free      recovery-4711.json   offered by the next one that starts
 //
 // The file is written by a worker, atomically. It goes away when the level is saved, and when the window ends
-// as it should.
+// as it should. Installed levels that were left changed have such files, too.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,7 @@ struct Rescued {
   FileLock lock;  ///< nobody else offers it meanwhile
   std::filesystem::path levelPath;
   Level level;
+  std::optional<std::filesystem::file_time_type> fileTime;  ///< of the level's file, as that session knew it
   RecoveryEntry entry;
 };
 
@@ -65,6 +67,8 @@ class Autosave {
   /// Once a frame; `now` in seconds. Begins to write when it is time: three seconds after a change, at most
   /// every six seconds, and every two minutes while one goes on. Returns what went wrong with the last one.
   std::optional<std::string> update(const Session& session, double now);
+  /// Likewise what the window has of levels that it has left: each in a file of its own, at once.
+  std::optional<std::string> keepLeft(const std::map<std::filesystem::path, Level>& left);
   /// Writes at once. Throws Error.
   void writeNow(const Session& session);
 
@@ -75,12 +79,23 @@ class Autosave {
 
  private:
   std::optional<double> due() const;
-  void takeSlot();
+  /// A file of one's own, and its lock.
+  struct Slot {
+    std::filesystem::path file;  // empty: none yet
+    FileLock lock;
+
+    void remove();
+  };
+  struct Left {
+    Slot slot;
+    Level level;
+  };
+  Slot freshSlot() const;
   void write(const Session& session, bool wait);
 
   std::filesystem::path folder_;
-  std::filesystem::path file_;  // empty: no slot yet
-  FileLock lock_;
+  Slot slot_;
+  std::map<std::filesystem::path, Left> left_;
   std::optional<Level> kept_;  // that the file holds, or will
   std::optional<Level> seen_;  // of the last update, while it is modified
   bool onDisk_ = false, changing_ = false;

@@ -17,7 +17,10 @@ class KeyTaps {
     int key, code, modifiers;
   };
 
-  void press(int key) { fresh_.insert(key); }
+  void press(int key) {
+    fresh_.insert(key);
+    std::erase_if(late_, [&](const Release& release) { return release.key == key; });  // it is held again
+  }
   /// Whether the release has to wait for the next frame.
   bool waits(const Release& release) {
     if (fresh_.count(release.key) == 0) return false;

@@ -23,6 +23,7 @@ class Undisturbed {
         size_(ImGui::GetIO().DisplaySize),
         scale_(ImGui::GetIO().DisplayFramebufferScale),
         mouse_(ImGui::GetIO().MousePos),
+        message_(std::exchange(desk.work().message, "")),  // it is about the picture that is being made
         panelsHidden_(desk.ui().panelsHidden),
         exportOpen_(desk.ui().exporting.open) {}
   ~Undisturbed() {
@@ -35,6 +36,7 @@ class Undisturbed {
     desk_.setShotFactor(1);
     desk_.setTransparent(false);
     desk_.ui().bare = false;
+    desk_.work().message = message_;
   }
   Undisturbed(const Undisturbed&) = delete;
   Undisturbed& operator=(const Undisturbed&) = delete;
@@ -46,6 +48,7 @@ class Undisturbed {
   SavedTarget target_;
   Desk& desk_;
   ImVec2 size_, scale_, mouse_;
+  std::string message_;
   bool panelsHidden_, exportOpen_;
 };
 

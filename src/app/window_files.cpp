@@ -1,6 +1,5 @@
 #include "app/window_files.h"
 
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,6 +25,9 @@ WindowFiles::WindowFiles(std::filesystem::path folder, Desk& desk)
 void WindowFiles::update(double now) {
   if (const auto given = std::exchange(desk_.ui().requests.recovery, std::nullopt)) answer(*given);
   if (const auto failure = autosave_.update(desk_.work().session, now)) {
+    desk_.work().message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
+  }
+  if (const auto failure = autosave_.keepLeft(desk_.work().leftLevels)) {
     desk_.work().message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
   }
   keepRecent();
@@ -56,10 +58,7 @@ void WindowFiles::answer(const RecoveryAnswer& answer) {
 bool WindowFiles::restore(Rescued& rescued) {
   Workspace& work = desk_.work();
   try {
-    std::error_code failure;
-    const auto kept = std::filesystem::last_write_time(rescued.file, failure);
-    work.session.recover(rescued.levelPath, rescued.level,
-                         failure ? std::filesystem::file_time_type::max() : kept);
+    work.session.recover(rescued.levelPath, rescued.level, rescued.fileTime);
     lookAfresh(work);
     autosave_.writeNow(work.session);
     discard(rescued);

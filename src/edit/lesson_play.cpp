@@ -50,12 +50,13 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
 double morphAt(const StepPlay& play, double share) {
   const double goal = *play.move.morph;
   if (share >= 1) return 1;
+  if (goal == 1) return glm::mix(play.morphFrom, 1.0, eased(share));
   return share < 0.5 ? glm::mix(play.morphFrom, goal, eased(2 * share))
                      : glm::mix(goal, 1.0, eased(2 * share - 1));
 }
 
 double durationOf(const StepPlay& play) {
-  return play.move.morph ? 2 * StepPlay::duration : StepPlay::duration;
+  return play.move.morph.value_or(1) < 1 ? 2 * StepPlay::duration : StepPlay::duration;
 }
 
 // What cannot be half done is done at once.

@@ -61,11 +61,12 @@ void Session::startNew(Level level) {
   begin({}, std::move(level));
 }
 
-void Session::recover(const std::filesystem::path& file, Level level, std::filesystem::file_time_type kept) {
+void Session::recover(const std::filesystem::path& file, Level level,
+                      std::optional<std::filesystem::file_time_type> known) {
   try {
     if (file.empty()) throw Error("no file");
     open(file);
-    if (written_ && *written_ > kept) written_ = kept;
+    if (written_ && known) written_ = known;
   } catch (const Error&) {
     begin(file, Level());
     written_ = std::filesystem::file_time_type::min();

@@ -29,10 +29,10 @@ class Session {
   /// A level that has no file yet, with a history of its own.
   void startNew(Level level);
   /// What was rescued of an earlier session: `file` as it is on disk (a new level where it is empty or cannot
-  /// be read any more), and one step to `level`. A file that cannot be read, or was written after `kept`, when
-  /// the level was rescued, counts as changed by another program.
+  /// be read any more), and one step to `level`. `known`: the fileTime() of that session; a file that was
+  /// written since, or cannot be read, counts as changed by another program.
   void recover(const std::filesystem::path& file, Level level,
-               std::filesystem::file_time_type kept = std::filesystem::file_time_type::max());
+               std::optional<std::filesystem::file_time_type> known = std::nullopt);
   /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
   /// that goes on is finished first. Throws Error and leaves everything as it was, the file too.
   void saveTo(const std::filesystem::path& path);
@@ -47,6 +47,8 @@ class Session {
   /// Whether the file on disk is another one than was opened or saved last: another program wrote it. A file
   /// that is gone has not been changed.
   bool isFileChanged() const;
+  /// When the file that was opened or saved last was written; nothing without a file.
+  std::optional<std::filesystem::file_time_type> fileTime() const { return written_; }
   /// Sentences about the file that was opened.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Grows with every level opened, so that others notice.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "base/language.h"
@@ -58,15 +59,30 @@ Box mirrorBox(const Level& level) {
   return boundingBox(tessellate(level.optic.shape).positions);
 }
 
+std::filesystem::path keyOf(const std::filesystem::path& path) {
+  std::error_code failure;
+  const auto result = std::filesystem::weakly_canonical(path, failure);
+  return failure ? path : result;
+}
+
+// What is to be found again when the session goes to another level.
+std::optional<std::pair<std::filesystem::path, Level>> leftLevel(const Workspace& work) {
+  if (!canBeLeft(work) || !work.session.modified()) return std::nullopt;
+  return std::pair(keyOf(work.session.path()), work.session.level());
+}
+
 }  // namespace
 
 void openLevel(Workspace& work, const std::filesystem::path& path) {
+  const auto left = leftLevel(work);
   work.session.open(path);
   lookAfresh(work);
   work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
-  const auto left = work.leftLevels.extract(work.session.path());
-  if (left.empty()) return;
-  work.session.edit(left.mapped());
+  const std::filesystem::path opened = keyOf(path);
+  if (left && left->first != opened) work.leftLevels[left->first] = left->second;
+  const auto again = work.leftLevels.extract(opened);
+  if (again.empty() || (left && left->first == opened)) return;
+  work.session.edit(again.mapped());
   work.message = tr("As you left it. Ctrl+R: as it was.");
 }
 
@@ -74,13 +90,8 @@ bool canBeLeft(const Workspace& work) {
   return work.session.isInstalled();
 }
 
-void leaveLevel(Workspace& work) {
-  if (canBeLeft(work) && work.session.modified()) {
-    work.leftLevels[work.session.path()] = work.session.level();
-  }
-}
-
 void openNewLevel(Workspace& work) {
+  if (const auto left = leftLevel(work)) work.leftLevels[left->first] = left->second;
   Level level;
   level.view = {{19, -24, 15}, {0, -3, 2}, 40};  // the RT camera is in it, too
   work.session.startNew(std::move(level));

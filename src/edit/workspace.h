@@ -62,7 +62,7 @@ struct Workspace {
   bool animationPaused = false;
   int rayStep = 0;  ///< +1, -1: the animation is to stop where the next, the last piece of a ray ends
 
-  /// Installed levels that were changed and left without saving, as they were left.
+  /// Installed levels that were changed and left without saving, as they were left; by their canonical paths.
   std::map<std::filesystem::path, Level> leftLevels;
 
   MorphStage morph;
@@ -74,13 +74,12 @@ struct Workspace {
   std::string message;  ///< for the status line, until the next one
 };
 
-/// Opens a level and looks at it from where it wants to be looked at. Throws Error and changes nothing then.
+/// Opens a level and looks at it from where it wants to be looked at; an installed one that was left changed is as it
+/// was left, unless it is the open one, which is read anew. Throws Error and changes nothing then.
 void openLevel(Workspace& work, const std::filesystem::path& path);
 
-/// Whether the level may be left without a question: an installed one is as it was left when it is opened again.
+/// Whether the level may be left without a question: an installed one is found again as it was left.
 bool canBeLeft(const Workspace& work);
-/// Remembers the level for that, when it may and has been changed.
-void leaveLevel(Workspace& work);
 
 /// Begins a new level, the default one, and looks at it likewise.
 void openNewLevel(Workspace& work);

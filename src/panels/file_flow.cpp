@@ -211,13 +211,14 @@ void settleRequests(Workspace& work, UiState& ui) {
     endViewDrag(work, ui, false);  // it would go on in the next level
     work.session.cancelChange();
     letGoOfWidgets();
-    const bool again = wish->next == UnsavedQuestion::Next::open && wish->path == work.session.path();
+    std::error_code ignored;
+    const bool again =
+        wish->next == UnsavedQuestion::Next::open && fs::equivalent(wish->path, work.session.path(), ignored);
     const bool quits = wish->next == UnsavedQuestion::Next::quit;
     const bool lost = work.session.modified() && (again || quits || !canBeLeft(work));
     if (lost || (quits && !work.leftLevels.empty())) {
       ui.unsaved = std::move(wish);
     } else {
-      leaveLevel(work);
       grant(*wish, ui.requests);
     }
   }

@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include "panels/actions.h"
+#include "panels/dialog.h"
 
 namespace anamorph {
 namespace {
@@ -55,8 +56,12 @@ void updateKeyFocus(UiState& ui) {
   const bool gone = std::find(names.begin(), names.end(), ui.keyPanel) == names.end();
   if (!ui.keyPanel.empty() && (gone || ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1)))
     leaveKeyFocus(ui);
-  if (ui.keyPanel.empty()) {
+  // A dialog has keys of its own, and gives them back when it closes.
+  const bool rests = ui.keyPanel.empty() || isDialogOpen(ui);
+  if (rests) {
+    if ((io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) GImGui->NavDisableHighlight = true;
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    ui.keyPanelEntered = !ui.keyPanel.empty();
     return;
   }
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;

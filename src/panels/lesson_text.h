@@ -6,10 +6,10 @@
 
 namespace anamorph {
 
-/// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
 /// In the chosen language, wrapped, with numbers that stay with their percent sign.
 void wrappedText(const std::string& english);
 
+/// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
 void drawStepText(const LessonRun& run, const UiState& ui);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.

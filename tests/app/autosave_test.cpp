@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <thread>
 
@@ -91,7 +92,7 @@ TEST_F(Autosaves, WriteEveryTwoMinutesOfADrag) {
   autosave.update(session, 100);
   EXPECT_LE(*autosave.secondsUntilDue(100), Autosave::mostSeconds);
   for (int i = 0; i < 130; ++i) {
-    session.change(numbered(2 + i));
+    session.change(numbered(2 + i % 50));
     autosave.update(session, 100 + i);
   }
   EXPECT_TRUE(waitForFiles(1));
@@ -221,6 +222,50 @@ TEST_F(Autosaves, OfALevelThatNoFileHoldsKeepTheOneBefore) {
       EXPECT_NE(readAll(entry.path()).find("Number 1"), std::string::npos);
     }
   }
+}
+
+TEST_F(Autosaves, OfLevelsThatWereLeftAreKeptUntilTheyAreOpenAgain) {
+  std::map<fs::path, Level> left{{"/levels/a.json", numbered(1)}, {"/levels/b.json", numbered(2)}};
+  {
+    Autosave autosave(folder);
+    EXPECT_EQ(autosave.keepLeft(left), std::nullopt);
+    EXPECT_EQ(files(), 2u);
+    session.edit(numbered(3));
+    autosave.writeNow(session);
+    EXPECT_EQ(files(), 3u);
+    left.erase("/levels/a.json");
+    left["/levels/b.json"] = numbered(4);
+    EXPECT_EQ(autosave.keepLeft(left), std::nullopt);
+    EXPECT_EQ(files(), 2u);
+  }
+  EXPECT_EQ(files(), 0u) << "it ended as it should";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Autosave autosave(folder);
+    autosave.keepLeft(left);
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const auto found = findRescued(folder);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].levelPath, "/levels/b.json");
+  EXPECT_EQ(found[0].level, numbered(4));
+}
+
+TEST_F(Autosaves, RememberWhenTheLevelsFileWasWritten) {
+  const fs::path path = temporary / "mine.json";
+  saveLevel(path, numbered(0));
+  session.open(path);
+  const auto known = session.fileTime();
+  ASSERT_TRUE(known);
+  die(numbered(1), path);
+  fs::last_write_time(path, *known + std::chrono::seconds(9));  // another program
+  auto found = findRescued(folder);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].fileTime, known);
+  session.recover(found[0].levelPath, found[0].level, found[0].fileTime);
+  EXPECT_TRUE(session.isFileChanged());
 }
 
 TEST_F(Autosaves, WhereTheWorkingFolderIsGoneGoOn) {

@@ -96,6 +96,8 @@ TEST_F(LessonRunTest, AProblemIsNoMatch) {
 
 TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
   open(step("free", R"([{"when": "hiddenShareBelow", "value": 0}, {"when": "movedEye"}])"));
+  change([](Level& level) { level.sculpture.depthScale = 0.5; });
+  ASSERT_GT(work.studio.products().match->report.hiddenShare, 0);
   change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
   EXPECT_FALSE(work.lesson.done);
   change([](Level& level) { level.camera.target = level.camera.eye + Vector(0, -1, 0); });

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "cli/program.h"
 #include "level/level_json.h"
 #include "panels/dialog.h"
@@ -238,6 +239,33 @@ TEST_F(FileFlow, AnInstalledLevelIsLeftWithoutAQuestionAndFoundAsItWas) {
   EXPECT_TRUE(ui.unsaved) << "reloading would lose it";
   key(keys::escape);
   EXPECT_FALSE(ui.unsaved);
+}
+
+TEST_F(FileFlow, ALevelIsLeftWhateverItsPathLooksLike) {
+  const fs::path plane = fs::path(ANAMORPH_LEVELS) / "1-plane.json";
+  openLevel(work, fs::path(ANAMORPH_LEVELS) / ".." / fs::path(ANAMORPH_LEVELS).filename() / "1-plane.json");
+  work.studio.finish(work.session, {});
+  modify();
+  const Level changed = work.session.level();
+  ui.requests.open = plane;
+  step(2);
+  EXPECT_TRUE(ui.unsaved) << "it is the open one";
+  key(keys::escape);
+  ui.requests.open = folder_ / "other.json";
+  step(2);
+  ui.requests.open = plane;
+  step(2);
+  EXPECT_EQ(work.session.level(), changed);
+}
+
+TEST_F(FileFlow, WhatIsStillOpenWasNotLeft) {
+  open("1-plane");
+  modify();
+  EXPECT_THROW(openLevel(work, folder_ / "none.json"), Error);
+  EXPECT_TRUE(work.leftLevels.empty());
+  openLevel(work, fs::path(ANAMORPH_LEVELS) / "1-plane.json");
+  EXPECT_FALSE(work.session.modified()) << "read anew";
+  EXPECT_TRUE(work.leftLevels.empty());
 }
 
 TEST_F(FileFlow, QuittingTellsWhatWasLeft) {

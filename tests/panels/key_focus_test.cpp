@@ -52,6 +52,7 @@ TEST_F(KeyFocus, GoesAroundAllPanels) {
   }
   key(keys::f6);
   EXPECT_EQ(ui.keyPanel, "") << "the 3D view again";
+  EXPECT_TRUE(GImGui->NavDisableHighlight) << "and no control is marked any more";
   key(keys::f6, keys::shift);
   EXPECT_EQ(ui.keyPanel, "preview");
   perform(Action::help, work, ui);
@@ -61,6 +62,18 @@ TEST_F(KeyFocus, GoesAroundAllPanels) {
   perform(Action::help, work, ui);
   frames(2);
   EXPECT_EQ(ui.keyPanel, "") << "it was closed";
+}
+
+TEST_F(KeyFocus, RestsWhileADialogAsks) {
+  for (int i = 0; i < 3; ++i) key(keys::f6);
+  ui.notice = Notice{"This cannot be used here", "text"};
+  frames(3);
+  EXPECT_EQ(ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard, 0);
+  EXPECT_TRUE(GImGui->NavDisableHighlight);
+  ui.notice.reset();
+  frames(3);
+  EXPECT_EQ(focused(), "properties");
+  EXPECT_FALSE(GImGui->NavDisableHighlight);
 }
 
 TEST_F(KeyFocus, ShortcutsSleepUntilEsc) {
