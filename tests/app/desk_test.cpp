@@ -116,12 +116,15 @@ TEST_F(OpenDesk, AMeshThatIsDroppedIsTheOriginal) {
 }
 
 TEST_F(OpenDesk, ALevelThatIsDroppedWaitsForTheQuestion) {
+  const TemporaryFolder folder;
+  const std::string own = folder / "own.json";  // an installed one is left without a question
   Level level = work().session.level();
+  work().session.saveTo(own);
   level.sculpture.depthScale = 2;
   work().session.edit(level);
   desk().drop({levelPath("3-sphere")});
   frames(2);
-  EXPECT_EQ(work().session.path(), levelPath("1-plane"));
+  EXPECT_EQ(work().session.path(), own);
   ASSERT_TRUE(ui().unsaved);
   desk().key('D', 0);
   frames(2);

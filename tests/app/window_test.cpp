@@ -239,7 +239,7 @@ TEST_F(RealWindow, ShortTapsOfKeysAreSeenInTextFields) {
   const double x0 = before.vector("eye").x;
   // The first number of Eye.
   window->move(r[0] + 0.46 * r[2], r[1] + 111);
-  window->xdotool("click --repeat 2 --delay 40 1 sleep 0.4");
+  window->xdotool("keydown ctrl sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3 keyup ctrl sleep 0.4");
   window->xdotool("type --delay 20 3.5");
   window->xdotool("sleep 0.3 key --delay 1 Return sleep 0.3");  // down and up within a frame
   EXPECT_TRUE(window->waitFor([&](const State& s) { return s.vector("eye").x == 3.5 && !s.is("changing"); }))
