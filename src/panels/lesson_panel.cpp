@@ -120,6 +120,7 @@ void drawDescription(Workspace& work, UiState& ui) {
   ImGui::PushTextWrapPos();
   ImGui::TextUnformatted(tr(level.description.c_str()));
   ImGui::PopTextWrapPos();
+  if (level.title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
   if (wideButton("Reset the level", "As it was opened. Can be undone.", work.session.modified())) {
     perform(Action::resetLevel, work, ui);

@@ -269,8 +269,10 @@ void tooltip(const char* text) {
   ImGuiStorage* storage = ImGui::GetStateStorage();
   const ImGuiID key = ImGui::GetID("tooltip");
   const ImGuiIO& io = ImGui::GetIO();
-  const bool moved = std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y) > 0 || ImGui::IsAnyMouseDown();
-  const float rested = moved ? 0 : storage->GetFloat(key) + io.DeltaTime;
+  const bool moved = std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y) > 0;
+  constexpr float afterClick = -10;  // who has pressed it wants to see what it did
+  float rested = moved ? 0 : storage->GetFloat(key) + io.DeltaTime;
+  if (ImGui::IsAnyMouseDown()) rested = afterClick;
   storage->SetFloat(key, rested);
   if (rested < 0.5f) return;
   // Below the control, or above it at the lower edge: under the mouse it would cover what it tells of.
