@@ -171,7 +171,7 @@ std::vector<Rescued> findRescued(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
     if (!isRecovery(entry->path())) continue;
-    Rescued rescued{entry->path(), FileLock(lockOf(entry->path())), {}, {}, {}, {}};
+    Rescued rescued{{entry->path(), FileLock(lockOf(entry->path()))}, {}, {}, {}, {}};
     if (!rescued.lock.held()) continue;  // of a window that lives
     std::error_code ignored;
     if (!fs::exists(rescued.file, ignored)) {
@@ -191,13 +191,7 @@ std::vector<Rescued> findRescued(const fs::path& folder) {
   return found;
 }
 
-void discard(Rescued& rescued) {
-  std::error_code ignored;
-  fs::remove(rescued.file, ignored);
-  rescued.lock.removeFile();
-}
-
-void Autosave::Slot::remove() {
+void RecoveryFile::remove() {
   std::error_code ignored;
   if (!file.empty()) fs::remove(file, ignored);
   lock.removeFile();
@@ -211,7 +205,7 @@ Autosave::~Autosave() {
 }
 
 // A name that no other window has, living or dead.
-Autosave::Slot Autosave::freshSlot() const {
+RecoveryFile Autosave::freshSlot() const {
   makeFolder(folder_);
   removeLeftTemporaries(folder_);
   std::error_code ignored;
@@ -240,8 +234,8 @@ std::optional<std::string> Autosave::keepLeft(const std::map<fs::path, Level>& l
     if (!kept.slot.file.empty() && kept.level == level) continue;
     try {
       if (kept.slot.file.empty()) kept.slot = freshSlot();
-      kept.level = level;
       writeFile(kept.slot.file, format(path, level, std::nullopt));
+      kept.level = level;
     } catch (const Error& error) {
       failure = error.what();
     }

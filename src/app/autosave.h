@@ -42,10 +42,17 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-/// Something that was rescued: `file` in the state folder, and what is in it.
-struct Rescued {
-  std::filesystem::path file;
-  FileLock lock;  ///< nobody else offers it meanwhile
+/// A file in the state folder, and the lock by which nobody else offers it meanwhile.
+struct RecoveryFile {
+  std::filesystem::path file;  ///< empty: none yet
+  FileLock lock;
+
+  /// Both from the disk.
+  void remove();
+};
+
+/// Something that was rescued, and what is in it.
+struct Rescued : RecoveryFile {
   std::filesystem::path levelPath;
   Level level;
   std::optional<std::filesystem::file_time_type> fileTime;  ///< of the level's file, as that session knew it
@@ -54,9 +61,6 @@ struct Rescued {
 
 /// What windows that have died have left, newest first; files that cannot be read are among them and say why.
 std::vector<Rescued> findRescued(const std::filesystem::path& folder);
-
-/// Removes it from the disk.
-void discard(Rescued& rescued);
 
 class Autosave {
  public:
@@ -79,22 +83,15 @@ class Autosave {
 
  private:
   std::optional<double> due() const;
-  /// A file of one's own, and its lock.
-  struct Slot {
-    std::filesystem::path file;  // empty: none yet
-    FileLock lock;
-
-    void remove();
-  };
   struct Left {
-    Slot slot;
+    RecoveryFile slot;
     Level level;
   };
-  Slot freshSlot() const;
+  RecoveryFile freshSlot() const;
   void write(const Session& session, bool wait);
 
   std::filesystem::path folder_;
-  Slot slot_;
+  RecoveryFile slot_;
   std::map<std::filesystem::path, Left> left_;
   std::optional<Level> kept_;  // that the file holds, or will
   std::optional<Level> seen_;  // of the last update, while it is modified

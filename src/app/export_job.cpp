@@ -1,6 +1,5 @@
 #include "app/export_job.h"
 
-#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,17 +9,6 @@
 #include "exports/export_request.h"
 
 namespace anamorph {
-namespace {
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-}  // namespace
-
 void ExportJob::update(Workspace& work, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
   const Products& products = work.studio.products();
@@ -30,31 +18,27 @@ void ExportJob::update(Workspace& work, UiState& ui) {
     cancelled_ = true;
     waiting_.reset();
     worker_.cancel();
-    dialog.message = tr("Cancelling...");
-    dialog.lines.clear();
+    dialog.say(tr("Cancelling..."));
   }
   if (waiting_ && products.problem) {
     waiting_.reset();
-    dialog.message = tr("There is no sculpture to export.");
-    dialog.lines = {*products.problem};
+    dialog.say(tr("There is no sculpture to export."), {*products.problem});
   }
   if (waiting_ && !products.complete && !work.studio.busy()) work.studio.restart();  // it was cancelled
   if (waiting_ && products.complete) start(*std::exchange(waiting_, std::nullopt), products, dialog);
   const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
   if (auto outcome = outcomes_->take()) {
-    dialog.message = std::move(outcome->message);
-    dialog.lines = std::move(outcome->lines);
+    dialog.say(std::move(outcome->message), std::move(outcome->lines), std::move(outcome->rows));
     if (outcome->written) ++work.exported;
     cancelled_ = false;
   }
   if (auto failure = worker_.takeFailure()) {
-    dialog.message = std::move(*failure);
-    dialog.lines.clear();
+    dialog.say(std::move(*failure));
     cancelled_ = false;
   }
   // What is being written when it is cancelled may still be written.
   if (cancelled_ && !busy) {
-    dialog.message = tr("Cancelled. Nothing was written.");
+    dialog.say(tr("Cancelled. Nothing was written."));
     cancelled_ = false;
   }
   dialog.running = waiting_ || worker_.busy();
@@ -76,7 +60,7 @@ void ExportJob::start(Task task, const Products& products, const ExportDialog& d
                                              : "It can be printed.");
       outcome.lines = problems;
       outcome.lines.insert(outcome.lines.end(), hints.begin(), hints.end());
-      for (std::string& line : linesOf(formatPrintCheck(*check))) outcome.lines.push_back(std::move(line));
+      outcome.rows = printCheckRows(*check);
     } else {
       const auto summary = exportLevel(finished, request, threads, progress);
       if (!summary) return;

@@ -25,7 +25,8 @@ class ExportJob {
  private:
   struct Outcome {
     std::string message;
-    std::vector<std::string> lines;  ///< warnings; the print check
+    std::vector<std::string> lines;                         ///< warnings
+    std::vector<std::pair<std::string, std::string>> rows;  ///< the print check
     bool written = false;
   };
   enum class Task { write, check };

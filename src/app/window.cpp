@@ -263,8 +263,11 @@ class MainWindow {
   // In the window that asked, or in the status line.
   void say(const std::string& text) {
     ExportDialog& dialog = desk_->ui().exporting;
-    (dialog.open ? dialog.message : desk_->work().message) = text;
-    if (dialog.open) dialog.lines.clear();
+    if (dialog.open) {
+      dialog.say(text);
+    } else {
+      desk_->work().message = text;
+    }
     wakeUp();
   }
 

@@ -24,11 +24,10 @@ WindowFiles::WindowFiles(std::filesystem::path folder, Desk& desk)
 
 void WindowFiles::update(double now) {
   if (const auto given = std::exchange(desk_.ui().requests.recovery, std::nullopt)) answer(*given);
-  if (const auto failure = autosave_.update(desk_.work().session, now)) {
-    desk_.work().message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
-  }
-  if (const auto failure = autosave_.keepLeft(desk_.work().leftLevels)) {
-    desk_.work().message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
+  Workspace& work = desk_.work();
+  for (const auto& failure : {autosave_.update(work.session, now), autosave_.keepLeft(work.leftLevels)}) {
+    if (failure)
+      work.message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
   }
   keepRecent();
 }
@@ -38,7 +37,7 @@ void WindowFiles::answer(const RecoveryAnswer& answer) {
   if (answer.index >= rescued_.size()) return;
   bool more = false;
   if (answer.kind == RecoveryAnswer::Kind::discard) {
-    discard(rescued_[answer.index]);
+    rescued_[answer.index].remove();
     more = rescued_.size() > 1;
   } else if (answer.kind == RecoveryAnswer::Kind::restore && !restore(rescued_[answer.index])) {
     offered[answer.index].problem = desk_.work().message;
@@ -61,7 +60,7 @@ bool WindowFiles::restore(Rescued& rescued) {
     work.session.recover(rescued.levelPath, rescued.level, rescued.fileTime);
     lookAfresh(work);
     autosave_.writeNow(work.session);
-    discard(rescued);
+    rescued.remove();
     work.message = tr("Restored. It is not saved yet.");
     return true;
   } catch (const Error& error) {

@@ -67,10 +67,13 @@ void makeFolder(const std::filesystem::path& folder) {
   if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
 }
 
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  return text;
+}
+
 std::string lowerEnding(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), lower);
-  return ending;
+  return lowerCase(path.extension().string());
 }
 
 fs::path homeFolder() {

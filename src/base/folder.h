@@ -32,6 +32,9 @@ void makeFolder(const std::filesystem::path& folder);
 /// $HOME, else the root.
 std::filesystem::path homeFolder();
 
+/// ASCII capitals as small letters; others stay.
+std::string lowerCase(std::string text);
+
 /// What a name ends in, in small letters: ".png" of "A.PNG"; empty for a name without a dot.
 std::string lowerEnding(const std::filesystem::path& path);
 

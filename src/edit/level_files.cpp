@@ -13,7 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without links in the folder's path, so that ".." can be counted; a link in the file's own place stays one.
+fs::path folderOf(const fs::path& levelPath) {
+  return levelPath.empty() ? fs::path() : cleanPath(levelPath).parent_path();
+}
+
+}  // namespace
+
 fs::path cleanPath(const fs::path& file) {
   std::error_code failure;
   const fs::path whole = fs::absolute(file, failure);
@@ -21,12 +26,6 @@ fs::path cleanPath(const fs::path& file) {
   const fs::path folder = fs::weakly_canonical(whole.parent_path(), failure);
   return failure ? whole.lexically_normal() : folder / whole.filename();
 }
-
-fs::path folderOf(const fs::path& levelPath) {
-  return levelPath.empty() ? fs::path() : cleanPath(levelPath).parent_path();
-}
-
-}  // namespace
 
 bool isInstalledLevel(const fs::path& path) {
   if (path.empty()) return false;

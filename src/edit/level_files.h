@@ -9,6 +9,10 @@
 
 namespace anamorph {
 
+/// The same however the path is written: without links in the folder's path, so that ".." can be counted; a link in the
+/// file's own place stays one.
+std::filesystem::path cleanPath(const std::filesystem::path& file);
+
 /// Whether the file is one of those installed with the program, which nobody's work replaces.
 bool isInstalledLevel(const std::filesystem::path& path);
 

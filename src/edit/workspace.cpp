@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include "base/language.h"
 #include "base/parallel_for.h"
 #include "edit/level_edits.h"
+#include "edit/level_files.h"
 #include "edit/orbit.h"
 
 namespace anamorph {
@@ -59,39 +59,40 @@ Box mirrorBox(const Level& level) {
   return boundingBox(tessellate(level.optic.shape).positions);
 }
 
-std::filesystem::path keyOf(const std::filesystem::path& path) {
-  std::error_code failure;
-  const auto result = std::filesystem::weakly_canonical(path, failure);
-  return failure ? path : result;
-}
+// Keeps what is to be found again when the session has gone from this level to another.
+class Leaving {
+ public:
+  explicit Leaving(const Workspace& work) {
+    if (!work.session.isInstalled() || !work.session.modified()) return;
+    path_ = cleanPath(work.session.path());
+    level_ = work.session.level();
+  }
+  void keep(Workspace& work, const std::filesystem::path& opened) const {
+    if (!path_.empty() && path_ != opened) work.leftLevels[path_] = level_;
+  }
 
-// What is to be found again when the session goes to another level.
-std::optional<std::pair<std::filesystem::path, Level>> leftLevel(const Workspace& work) {
-  if (!canBeLeft(work) || !work.session.modified()) return std::nullopt;
-  return std::pair(keyOf(work.session.path()), work.session.level());
-}
+ private:
+  std::filesystem::path path_;
+  Level level_;
+};
 
 }  // namespace
 
 void openLevel(Workspace& work, const std::filesystem::path& path) {
-  const auto left = leftLevel(work);
+  const Leaving leaving(work);
   work.session.open(path);
   lookAfresh(work);
   work.message = work.session.warnings().empty() ? "" : work.session.warnings().front();
-  const std::filesystem::path opened = keyOf(path);
-  if (left && left->first != opened) work.leftLevels[left->first] = left->second;
-  const auto again = work.leftLevels.extract(opened);
-  if (again.empty() || (left && left->first == opened)) return;
-  work.session.edit(again.mapped());
+  const std::filesystem::path opened = cleanPath(path);
+  leaving.keep(work, opened);
+  const auto left = work.leftLevels.extract(opened);
+  if (left.empty()) return;
+  work.session.edit(left.mapped());
   work.message = tr("As you left it. Ctrl+R: as it was.");
 }
 
-bool canBeLeft(const Workspace& work) {
-  return work.session.isInstalled();
-}
-
 void openNewLevel(Workspace& work) {
-  if (const auto left = leftLevel(work)) work.leftLevels[left->first] = left->second;
+  Leaving(work).keep(work, {});
   Level level;
   level.view = {{19, -24, 15}, {0, -3, 2}, 40};  // the RT camera is in it, too
   work.session.startNew(std::move(level));

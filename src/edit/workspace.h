@@ -78,9 +78,6 @@ struct Workspace {
 /// was left, unless it is the open one, which is read anew. Throws Error and changes nothing then.
 void openLevel(Workspace& work, const std::filesystem::path& path);
 
-/// Whether the level may be left without a question: an installed one is found again as it was left.
-bool canBeLeft(const Workspace& work);
-
 /// Begins a new level, the default one, and looks at it likewise.
 void openNewLevel(Workspace& work);
 

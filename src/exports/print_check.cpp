@@ -120,13 +120,11 @@ std::vector<std::string> findPrintHints(const PrintCheck& check) {
   return hints;
 }
 
-std::string formatPrintCheck(const PrintCheck& check) {
+std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck& check) {
   const SurfaceTopology& topology = check.topology;
   const Vector size = check.box.empty() ? Vector(0) : check.box.size();
-  std::string text;
-  const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("{:<20}{}\n", tr(name), value);
-  };
+  std::vector<std::pair<std::string, std::string>> rows;
+  const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
   line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
   line("triangles",
        fmt::format(fmt::runtime(tr("{} ({} without area), {} vertices, {}")), check.triangles,
@@ -156,6 +154,12 @@ std::string formatPrintCheck(const PrintCheck& check) {
                               placeOf(check.walls.leastAt)));
   }
   if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
+  return rows;
+}
+
+std::string formatPrintCheck(const PrintCheck& check) {
+  std::string text;
+  for (const auto& [name, value] : printCheckRows(check)) text += fmt::format("{:<20}{}\n", name, value);
   return text;
 }
 

@@ -42,7 +42,9 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
 /// Worth knowing though it can be printed: thin walls.
 std::vector<std::string> findPrintHints(const PrintCheck& check);
 
-/// The figures, a line each, for people.
+/// The figures for people: what each is, and how much.
+std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck& check);
+/// The same as a line each.
 std::string formatPrintCheck(const PrintCheck& check);
 
 JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped);

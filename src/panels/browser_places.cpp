@@ -74,6 +74,12 @@ bool placesAreBeside(const UiState& ui) {
   return ImGui::GetWindowWidth() > 560 * static_cast<float>(ui.scale);
 }
 
+fs::path proposedExport(const UiState& ui, const fs::path& lastFolder, const fs::path& level,
+                        const std::string& name) {
+  const std::string stem = level.stem().string();
+  return (lastFolder.empty() ? usualFolder(ui) : lastFolder) / (stem.empty() ? name : stem + "-" + name);
+}
+
 std::optional<fs::path> drawPathRow(UiState& ui) {
   const FileBrowser& b = ui.browser;
   const ImGuiStyle& style = ImGui::GetStyle();

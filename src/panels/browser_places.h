@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "panels/ui_state.h"
 
@@ -16,6 +17,11 @@ void rememberFolder(UiState& ui, const std::filesystem::path& folder);
 
 /// Where a file goes that nothing else is known of: the newest of the recent folders, else home.
 std::filesystem::path usualFolder(const UiState& ui);
+
+/// Where a file made of this level is proposed to go: into the folder of the last one, else the usual one, under the
+/// level's name and this one: "plane-sheet.pdf".
+std::filesystem::path proposedExport(const UiState& ui, const std::filesystem::path& lastFolder,
+                                     const std::filesystem::path& level, const std::string& name);
 
 /// A button up, the parts of the path, and in narrow windows a list of places. Returns where to go.
 std::optional<std::filesystem::path> drawPathRow(UiState& ui);

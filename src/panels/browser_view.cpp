@@ -163,9 +163,7 @@ void drawFooter(UiState& ui) {
   FileBrowser& b = ui.browser;
   if (!b.problem.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(b.problem.c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(b.problem);
     ImGui::PopStyleColor();
   }
   const auto [yes, no] = answersOf(b);

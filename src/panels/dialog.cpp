@@ -98,9 +98,7 @@ int dialogButtons(std::initializer_list<const char*> names, std::initializer_lis
 
 void drawNotice(UiState& ui) {
   if (!beginDialog(ui, ui.notice->title.c_str(), 460)) return;
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(ui.notice->text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(ui.notice->text);
   ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
   const bool done = dialogButtons({"OK"}) == 0 || dialogKey(ui, keys::enter) ||
                     dialogKey(ui, keys::padEnter) || dialogKey(ui, keys::escape);

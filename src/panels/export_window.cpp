@@ -119,11 +119,10 @@ FilePurpose purposeOf(const ExportDialog& dialog) {
   return purposes[dialog.kind];
 }
 
-std::string proposedName(const Workspace& work, const ExportDialog& dialog) {
+const char* nameOf(const ExportDialog& dialog) {
   constexpr const char* names[] = {"sculpture.stl", "sheet.pdf",   "rays.obj",
                                    "match.html",    "picture.png", "window.png"};
-  const std::string level = work.session.path().stem().string();
-  return (level.empty() ? "" : level + "-") + names[dialog.kind];
+  return names[dialog.kind];
 }
 
 // The browser's choice: the file is written at once.
@@ -132,7 +131,7 @@ void takeChoice(UiState& ui) {
   const auto path = awaitChosenFile(ui, purposeOf(dialog), dialog.choosing);
   if (!path) return;
   dialog.folder = path->parent_path();
-  dialog.lines.clear();
+  dialog.say("");
   if (isScreenshot(dialog)) {
     dialog.shot.path = *path;
     ui.requests.shot = dialog.shot;
@@ -158,28 +157,21 @@ void drawButtons(const Workspace& work, UiState& ui) {
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
     browseFiles(ui, purposeOf(dialog),
-                (dialog.folder.empty() ? usualFolder(ui) : dialog.folder) / proposedName(work, dialog));
+                proposedExport(ui, dialog.folder, work.session.path(), nameOf(dialog)));
   }
-}
-
-// "name      value" in two columns, sentences over both.
-void outcomeLine(const UiState& ui, const std::string& line) {
-  const std::size_t gap = line.find("  ");
-  if (gap == std::string::npos) return quietText(ui, capitalised(line).c_str());
-  const float column = 0.3f * ImGui::GetWindowContentRegionMax().x;
-  quietText(ui, line.substr(0, gap).c_str());
-  ImGui::SameLine(column);
-  quietText(ui, line.substr(line.find_first_not_of(' ', gap)).c_str());
 }
 
 void drawOutcome(const UiState& ui) {
   const ExportDialog& dialog = ui.exporting;
   if (dialog.message.empty()) return;
   ImGui::Separator();
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(capitalised(dialog.message).c_str());
-  ImGui::PopTextWrapPos();
-  for (const std::string& line : dialog.lines) outcomeLine(ui, line);
+  paragraph(capitalised(dialog.message));
+  for (const std::string& line : dialog.lines) quietText(ui, capitalised(line).c_str());
+  for (const auto& [name, value] : dialog.rows) {
+    quietText(ui, name.c_str());
+    ImGui::SameLine(0.3f * ImGui::GetWindowContentRegionMax().x);
+    quietText(ui, value.c_str());
+  }
 }
 
 }  // namespace
@@ -194,8 +186,7 @@ void drawExportWindow(Workspace& work, UiState& ui) {
     if (segmentedControl("kinds", dialog.kind,
                          {"Sculpture", "Viewing sheet", "Rays", "Match report", "Picture", "Screenshot"},
                          3)) {
-      dialog.message.clear();
-      dialog.lines.clear();
+      dialog.say("");
     }
     quietText(ui, explanation(dialog));
     ImGui::Dummy({0, 4 * s});
@@ -204,8 +195,7 @@ void drawExportWindow(Workspace& work, UiState& ui) {
     kindRows(dialog);
     ImGui::PopID();
     if (before != std::pair(dialog.request.millimetresPerUnit, dialog.request.basePlate)) {
-      dialog.message.clear();  // it was about something else
-      dialog.lines.clear();
+      dialog.say("");  // it was about something else
     }
     ImGui::EndDisabled();
     ImGui::Dummy({0, 4 * s});

@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  return text;
-}
-
 bool hasEnding(const PurposeTexts& purpose, const std::string& name) {
   const std::string ending = lowerEnding(name);
   return std::any_of(purpose.endings.begin(), purpose.endings.end(),
@@ -126,7 +121,7 @@ void setBrowserText(FileBrowser& b, const std::string& text) {
 // The entries that are to be seen.
 void chooseShown(FileBrowser& b) {
   const PurposeTexts& purpose = purposeTexts(b.purpose);
-  const std::string filter = purpose.saves || b.namingFolder || isPath(b.text) ? "" : lower(b.text);
+  const std::string filter = purpose.saves || b.namingFolder || isPath(b.text) ? "" : lowerCase(b.text);
   const std::string wanted = fmt::format("{}{} {}", b.showHidden, b.showAll, filter);
   if (wanted == b.shownFor) return;
   b.shownFor = wanted;
@@ -135,7 +130,7 @@ void chooseShown(FileBrowser& b) {
     const FolderEntry& entry = b.listing.entries[i];
     if (!b.showHidden && entry.name.starts_with(".")) continue;
     if (!entry.isFolder && !b.showAll && !hasEnding(purpose, entry.name)) continue;
-    if (!filter.empty() && lower(entry.name).find(filter) == std::string::npos) continue;
+    if (!filter.empty() && lowerCase(entry.name).find(filter) == std::string::npos) continue;
     b.shown.push_back(static_cast<int>(i));
   }
   b.selected = filter.empty() || b.shown.empty() ? -1 : 0;

@@ -34,10 +34,9 @@ void finishEdits(Workspace& work, UiState& ui) {
 // "My first column!" -> "my-first-column"
 std::string fileNameOf(const std::string& title) {
   std::string name;
-  for (const char c : title) {
-    const bool small = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'), capital = c >= 'A' && c <= 'Z';
-    if (small || capital) {
-      name += capital ? static_cast<char>(c + 32) : c;
+  for (const char c : lowerCase(title)) {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+      name += c;
     } else if (!name.empty() && name.back() != '-') {
       name += '-';
     }
@@ -215,7 +214,8 @@ void settleRequests(Workspace& work, UiState& ui) {
     const bool again =
         wish->next == UnsavedQuestion::Next::open && fs::equivalent(wish->path, work.session.path(), ignored);
     const bool quits = wish->next == UnsavedQuestion::Next::quit;
-    const bool lost = work.session.modified() && (again || quits || !canBeLeft(work));
+    // An installed level is found again as it was left.
+    const bool lost = work.session.modified() && (again || quits || !work.session.isInstalled());
     if (lost || (quits && !work.leftLevels.empty())) {
       ui.unsaved = std::move(wish);
     } else {

@@ -19,9 +19,7 @@ void plainRow(const char* left, const char* right) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(left);
   ImGui::TableNextColumn();
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(right);
-  ImGui::PopTextWrapPos();
+  paragraph(right);
 }
 
 void row(const char* left, const char* right) {

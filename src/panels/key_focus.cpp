@@ -52,10 +52,11 @@ bool isForPanel(const UiState& ui, int key, int modifiers) {
 
 void updateKeyFocus(UiState& ui) {
   ImGuiIO& io = ImGui::GetIO();
-  const std::vector<std::string> names = reachable(ui);
-  const bool gone = std::find(names.begin(), names.end(), ui.keyPanel) == names.end();
-  if (!ui.keyPanel.empty() && (gone || ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1)))
-    leaveKeyFocus(ui);
+  if (!ui.keyPanel.empty()) {
+    const std::vector<std::string> names = reachable(ui);
+    const bool gone = std::find(names.begin(), names.end(), ui.keyPanel) == names.end();
+    if (gone || ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1)) leaveKeyFocus(ui);
+  }
   // A dialog has keys of its own, and gives them back when it closes.
   const bool rests = ui.keyPanel.empty() || isDialogOpen(ui);
   if (rests) {

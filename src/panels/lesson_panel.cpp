@@ -15,9 +15,7 @@ namespace {
 
 void title(const UiState& ui, const std::string& text) {
   const FontScope large(ui.fonts.title);
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr(text.c_str()));
-  ImGui::PopTextWrapPos();
+  paragraph(tr(text));
 }
 
 void drawHead(Workspace& work, UiState& ui) {
@@ -93,7 +91,7 @@ void drawLesson(Workspace& work, UiState& ui) {
   ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
                     ImGuiWindowFlags_NavFlattened);
   constexpr int layoutFrames = 3;  // until the height of what has been added is known
-  const StepOfLesson step{work.lesson.generation, work.lesson.step};
+  const StepOfLesson step = openStepOf(work.lesson);
   if (ui.scrolledStep != step) {
     ImGui::SetScrollY(0);
     ui.noticeFrames = 0;
@@ -117,9 +115,7 @@ void drawLesson(Workspace& work, UiState& ui) {
 void drawDescription(Workspace& work, UiState& ui) {
   const Level& level = work.session.level();
   title(ui, level.title.empty() ? "A level without a title" : level.title);
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr(level.description.c_str()));
-  ImGui::PopTextWrapPos();
+  paragraph(tr(level.description));
   if (level.title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
   if (wideButton("Reset the level", "As it was opened. Can be undone.", work.session.modified())) {

@@ -33,9 +33,7 @@ void barred(const std::string& text, const ImVec4& color, const UiState& ui) {
 void wrappedText(const std::string& english) {
   std::string text = tr(english);
   for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 1, "\u00a0");
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text);
 }
 
 void drawStepText(const LessonRun& run, const UiState& ui) {
@@ -106,14 +104,14 @@ void showStep(Workspace& work, UiState& ui) {
   if (tab != stepTabs.end()) openTab(work, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
   pointAt("");  // also what was pointed at just now is scrolled to
   ui.highlight = show.widget;
-  ui.highlightStep = {work.lesson.generation, work.lesson.step};
+  ui.highlightStep = openStepOf(work.lesson);
   ui.highlightSeconds = show.widget.empty() ? 0 : highlightSeconds;
   playStep(work);
 }
 
 void updateHighlight(const Workspace& work, UiState& ui, double seconds) {
   ui.highlightSeconds = std::max(0.0, ui.highlightSeconds - seconds);
-  if (ui.highlightStep != std::pair{work.lesson.generation, work.lesson.step}) ui.highlightSeconds = 0;
+  if (ui.highlightStep != openStepOf(work.lesson)) ui.highlightSeconds = 0;
   if (ui.highlightSeconds == 0) ui.highlight.clear();
   pointAt(ui.highlight);
 }

@@ -52,9 +52,7 @@ void moveSelection(UiState& ui) {
 void drawRecoveryDialog(UiState& ui) {
   moveSelection(ui);
   if (!beginDialog(ui, "Restore unsaved work?", 560)) return;
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr("Anamorph ended before this was saved. It is as it was a short time before:"));
-  ImGui::PopTextWrapPos();
+  paragraph(tr("Anamorph ended before this was saved. It is as it was a short time before:"));
   // As many as there are, at most four, and no more than leave room for the buttons.
   const ImGuiStyle& style = ImGui::GetStyle();
   const float row = 2 * ImGui::GetTextLineHeightWithSpacing() + style.ItemSpacing.y;

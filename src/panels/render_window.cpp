@@ -64,10 +64,8 @@ void saveButton(const Workspace& work, UiState& ui) {
   RenderDialog& dialog = ui.render;
   if (!wideButton("Save as...", "", ui.textures.render.id != 0 && !dialog.running)) return;
   dialog.choosing = true;
-  const std::string level = work.session.path().stem().string();
   browseFiles(ui, FilePurpose::saveImage,
-              (dialog.folder.empty() ? usualFolder(ui) : dialog.folder) /
-                  ((level.empty() ? "" : level + "-") + "render.png"));
+              proposedExport(ui, dialog.folder, work.session.path(), "render.png"));
 }
 
 }  // namespace

@@ -83,9 +83,7 @@ void constructionRows(Workspace& work, const UiState& ui) {
   for (const auto& [name, value] : construction->rows) textRow(name.c_str(), value);
   if (!construction->explanation.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(construction->explanation.c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(construction->explanation);
     ImGui::PopStyleColor();
   }
   if (wideButton("Let it go", "Esc does the same.")) work.point.reset();

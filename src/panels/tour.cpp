@@ -74,9 +74,7 @@ void drawCard(UiState& ui, const Card& card) {
     const FontScope title(ui.fonts.title);
     ImGui::TextUnformatted(tr(card.title));
   }
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr(card.text));
-  ImGui::PopTextWrapPos();
+  paragraph(tr(card.text));
   ImGui::ProgressBar(static_cast<float>(std::min(1.0, ui.tourSeconds / cardSeconds)),
                      {-FLT_MIN, 3 * static_cast<float>(ui.scale)}, "");
   const bool last = ui.tourCard + 1 == static_cast<int>(cards.size());

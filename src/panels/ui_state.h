@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "edit/gizmo_drag.h"
+#include "edit/lesson_run.h"
 #include "edit/pick.h"
 #include "edit/selection.h"
 #include "exports/export_request.h"
@@ -137,8 +138,17 @@ struct ExportDialog {
   bool choosing = false;         ///< the file browser is open for it
   bool running = false;
   double share = 0;
-  std::string message;             ///< what came of the last one
-  std::vector<std::string> lines;  ///< and what else is to be said about it
+  std::string message;                                    ///< what came of the last one
+  std::vector<std::string> lines;                         ///< and what else is to be said about it
+  std::vector<std::pair<std::string, std::string>> rows;  ///< figures, in two columns
+
+  /// In place of what was said before.
+  void say(std::string text, std::vector<std::string> more = {},
+           std::vector<std::pair<std::string, std::string>> figures = {}) {
+    message = std::move(text);
+    lines = std::move(more);
+    rows = std::move(figures);
+  }
 };
 
 enum class PropertyTab { eye, original, mirror, sculpture, lights, rays, view };
@@ -159,6 +169,9 @@ struct RenderDialog {
 
 /// A step of a level that was opened: the session's generation, and its number.
 using StepOfLesson = std::pair<int, std::size_t>;
+inline StepOfLesson openStepOf(const LessonRun& run) {
+  return {run.generation, run.step};
+}
 
 /// A drag in the 3D view that goes on.
 enum class ViewDrag { none, orbit, pan, gizmo };

@@ -24,12 +24,6 @@ std::string leftTitles(const Workspace& work) {
 
 enum class Answer { none = -1, save, drop, cancel };
 
-void paragraph(const std::string& text) {
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 void aboutThisLevel(const Workspace& work, const UiState& ui) {
   const Level& level = work.session.level();
   const std::string title = level.title.empty() ? std::string(tr("This level")) : tr(level.title);

@@ -223,9 +223,7 @@ bool textFieldRow(const char* name, std::string& value, int lines, const char* h
 
 void textRow(const char* name, const std::string& value, const char* help) {
   beginRow(name, help);
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(value.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(value);
   endRow(help);
 }
 
@@ -301,11 +299,15 @@ bool closePopups() {
   return true;
 }
 
+void paragraph(const std::string& text) {
+  ImGui::PushTextWrapPos();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void quietText(const UiState& ui, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(tr(text));
-  ImGui::PopTextWrapPos();
+  paragraph(tr(text));
   ImGui::PopStyleColor();
 }
 
@@ -318,9 +320,7 @@ std::string capitalised(std::string sentence) {
 void problemText(const UiState& ui, const std::string& text) {
   if (text.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(capitalised(tr(text)).c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(capitalised(tr(text)));
   ImGui::PopStyleColor();
 }
 

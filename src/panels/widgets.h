@@ -69,6 +69,9 @@ void letGoOfWidgets();
 /// Closes an open menu, list or colour picker. Returns whether there was one.
 bool closePopups();
 
+/// Wrapped text, shown as it is.
+void paragraph(const std::string& text);
+
 /// Wrapped text of second rank.
 void quietText(const UiState& ui, const char* text);
 

@@ -15,19 +15,13 @@ class Drawing {
   explicit Drawing(bool selected) : color_(selected ? orange : paper) {}
 
   void add(const Point& from, const Point& to, bool edge) {
-    Line line;
-    line.from = from;
-    line.to = to;
-    line.color = color_;
-    line.width = edge ? 1.8 : 0.9;
-    line.alpha = edge ? 0.95 : 0.4;
-    lines.push_back(line);
+    lines.push_back({from, to, color_, edge ? 0.95 : 0.4, edge ? 1.8 : 0.9});
   }
 
   /// middle + cos(angle) a + sin(angle) b
-  void addArc(const Point& middle, const Vector& a, const Vector& b, double from, double to, bool edge) {
+  void addRing(const Point& middle, const Vector& a, const Vector& b, bool edge) {
     const auto at = [&](int i) {
-      const double angle = from + (to - from) * i / chords;
+      const double angle = 2 * pi * i / chords;
       return middle + std::cos(angle) * a + std::sin(angle) * b;
     };
     for (int i = 0; i < chords; ++i) add(at(i), at(i + 1), edge);
@@ -57,7 +51,7 @@ struct DrawShape {
     const Vector a = cylinder.radius * side, b = cylinder.radius * glm::cross(along, side);
     for (int i = 0; i <= divisions / 2; ++i) {
       const bool edge = i == 0 || i == divisions / 2;
-      drawing.addArc(cylinder.bottom + (2.0 * i / divisions) * axis, a, b, 0, 2 * pi, edge);
+      drawing.addRing(cylinder.bottom + (2.0 * i / divisions) * axis, a, b, edge);
     }
     for (int i = 0; i < 2 * divisions; ++i) {
       const double angle = pi * i / divisions;
@@ -70,12 +64,12 @@ struct DrawShape {
     const Vector x(r, 0, 0), y(0, r, 0), z(0, 0, r);
     for (int i = 0; i < divisions; ++i) {
       const double angle = pi * i / divisions;
-      drawing.addArc(sphere.centre, std::cos(angle) * x + std::sin(angle) * y, z, 0, 2 * pi, false);
+      drawing.addRing(sphere.centre, std::cos(angle) * x + std::sin(angle) * y, z, false);
     }
     for (int i = 1; i < divisions; ++i) {
       const double up = pi * i / divisions - pi / 2;
-      drawing.addArc(sphere.centre + std::sin(up) * z, std::cos(up) * x, std::cos(up) * y, 0, 2 * pi,
-                     2 * i == divisions);
+      drawing.addRing(sphere.centre + std::sin(up) * z, std::cos(up) * x, std::cos(up) * y,
+                      2 * i == divisions);
     }
   }
 };

@@ -140,7 +140,7 @@ TEST_F(Autosaves, OfAWindowThatDiedAreOfferedNewestFirst) {
   EXPECT_EQ(found[1].level, numbered(1));
   EXPECT_EQ(found[1].levelPath, "");
   EXPECT_EQ(findRescued(folder).size(), 0u) << "while they are offered here, nobody else offers them";
-  discard(found[0]);
+  found[0].remove();
   found.clear();
   EXPECT_EQ(findRescued(folder).size(), 1u) << "what was decided later";
 }

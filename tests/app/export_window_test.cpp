@@ -133,7 +133,8 @@ TEST_F(ExportWindow, ChecksForPrinting) {
   frames(1);
   wait();
   EXPECT_EQ(ui().exporting.message, "It can be printed.");
-  EXPECT_FALSE(ui().exporting.lines.empty());
+  ASSERT_FALSE(ui().exporting.rows.empty());
+  EXPECT_EQ(ui().exporting.rows.front().first, "size");
 }
 
 TEST_F(ExportWindow, AShotTooLargeForTheGraphicsCardIsToldAndAll) {
