@@ -1,9 +1,12 @@
 // Shaders: that all of them compile for OpenGL 3.3 and for WebGL 2, and that complaints name the right line.
 
+#include <unistd.h>
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "base/file.h"
 #include "gl/shader.h"
@@ -61,7 +64,7 @@ class Shader : public GlTest {
     return compileProblem(loadShaderText(folder_, name, Dialect::desktop), ShaderStage::fragment);
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "anamorph-shaders";
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("anamorph-shaders-" + std::to_string(::getpid()));
 };
 
 TEST_F(Shader, AllCompileForDesktop) {
