@@ -65,11 +65,11 @@ float enterBox(vec3 origin, vec3 inverse, vec3 low, vec3 high, float tMin, float
 }
 
 // Whether the ray meets the triangle before hit.t; then it is the hit.
-bool meetTriangle(SurfaceRay r, int triangle, int firstVertex, inout MeshHit hit) {
-  uvec3 corner = texelFetch(triangles, texelPlace(2 * triangle), 0).xyz;
-  vec4 p0 = texelFetch(positions, texelPlace(firstVertex + int(corner.x)), 0);
-  vec4 p1 = texelFetch(positions, texelPlace(firstVertex + int(corner.y)), 0);
-  vec4 p2 = texelFetch(positions, texelPlace(firstVertex + int(corner.z)), 0);
+bool intersectTriangle(SurfaceRay r, int triangle, int firstVertex, inout MeshHit hit) {
+  uvec3 corner = texelFetch(triangles, texelCoord(2 * triangle), 0).xyz;
+  vec4 p0 = texelFetch(positions, texelCoord(firstVertex + int(corner.x)), 0);
+  vec4 p1 = texelFetch(positions, texelCoord(firstVertex + int(corner.y)), 0);
+  vec4 p2 = texelFetch(positions, texelCoord(firstVertex + int(corner.z)), 0);
   vec3 a = renamed(p0.xyz - r.origin, r.axis);
   vec3 b = renamed(p1.xyz - r.origin, r.axis);
   vec3 c = renamed(p2.xyz - r.origin, r.axis);
@@ -107,7 +107,7 @@ int surfacesAlong(Ray ray, int flag, float tMax) {
 // The nearest hit before hit.t of the surfaces whose bits are set, or any hit when that is enough. One loop for all of
 // them: processors that compute pixels in groups wait less for each other, and software that does not jump over what
 // is not needed has less of it.
-bool meetSurfaces(Ray ray, int surfaces, bool anyIsEnough, inout MeshHit hit) {
+bool intersectSurfaces(Ray ray, int surfaces, bool anyIsEnough, inout MeshHit hit) {
   // A node is kept as its link times 8 plus its count: all that is needed of it once its box is met.
   int stack[stackSize];
   int waiting = 0, node = 0, surface = 0;
@@ -119,7 +119,7 @@ bool meetSurfaces(Ray ray, int surfaces, bool anyIsEnough, inout MeshHit hit) {
       if (surfaces == 0) break;
       surface = (surfaces & 1) != 0 ? 0 : (surfaces & 2) != 0 ? 1 : 2;
       surfaces ^= 1 << surface;
-      place = surfacePlace[surface];
+      place = surfaceOffsets[surface];
       node = surfaceSize[surface].z;
       r = toSurface(ray, surfaceCentre[surface]);
       walking = true;
@@ -128,7 +128,7 @@ bool meetSurfaces(Ray ray, int surfaces, bool anyIsEnough, inout MeshHit hit) {
     bool goOn = false;
     if (count > 0) {
       for (int i = 0; i < count; ++i) {
-        if (meetTriangle(r, place.y + link + i, place.z, hit)) {
+        if (intersectTriangle(r, place.y + link + i, place.z, hit)) {
           hit.surface = surface;
           found = true;
         }
@@ -136,8 +136,8 @@ bool meetSurfaces(Ray ray, int surfaces, bool anyIsEnough, inout MeshHit hit) {
       if (found && anyIsEnough) break;
     } else {
       int left = 2 * (place.x + link);
-      vec4 low0 = texelFetch(nodes, texelPlace(left), 0), high0 = texelFetch(nodes, texelPlace(left + 1), 0);
-      vec4 low1 = texelFetch(nodes, texelPlace(left + 2), 0), high1 = texelFetch(nodes, texelPlace(left + 3), 0);
+      vec4 low0 = texelFetch(nodes, texelCoord(left), 0), high0 = texelFetch(nodes, texelCoord(left + 1), 0);
+      vec4 low1 = texelFetch(nodes, texelCoord(left + 2), 0), high1 = texelFetch(nodes, texelCoord(left + 3), 0);
       float tMin = -r.shift, tMax = hit.t - r.shift;
       float t0 = enterBox(r.origin, r.inverse, low0.xyz, high0.xyz, tMin, tMax);
       float t1 = enterBox(r.origin, r.inverse, low1.xyz, high1.xyz, tMin, tMax);

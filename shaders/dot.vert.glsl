@@ -9,7 +9,7 @@ flat out vec3 middle;  // in pixels; z: depth
 flat out vec3 ink;
 
 void main() {
-  vec4 p = texelFetch(positions, texelPlace(surfacePlace[0].z + gl_InstanceID), 0);
+  vec4 p = texelFetch(positions, texelCoord(surfaceOffsets[0].z + gl_InstanceID), 0);
   vec3 point = surfaceCentre[0].xyz + p.xyz;
   float z = viewDepth(point);
   int status = int(0.5 - p.w);  // PathStatus, 1..4; colours of Okabe and Ito

@@ -29,12 +29,12 @@ struct Corners {
 };
 
 Corners cornersOf(int surface, int triangle) {
-  uvec3 corner = texelFetch(triangles, texelPlace(2 * triangle), 0).xyz;
-  int first = surfacePlace[surface].z;
+  uvec3 corner = texelFetch(triangles, texelCoord(2 * triangle), 0).xyz;
+  int first = surfaceOffsets[surface].z;
   vec3 centre = surfaceCentre[surface].xyz;
-  return Corners(centre + texelFetch(positions, texelPlace(first + int(corner.x)), 0).xyz,
-                 centre + texelFetch(positions, texelPlace(first + int(corner.y)), 0).xyz,
-                 centre + texelFetch(positions, texelPlace(first + int(corner.z)), 0).xyz);
+  return Corners(centre + texelFetch(positions, texelCoord(first + int(corner.x)), 0).xyz,
+                 centre + texelFetch(positions, texelCoord(first + int(corner.y)), 0).xyz,
+                 centre + texelFetch(positions, texelCoord(first + int(corner.z)), 0).xyz);
 }
 
 #ifdef WIRES
@@ -62,12 +62,12 @@ Hit meshHit(MeshHit m, Corners p, Ray ray) {
   hit.index = m.surface;
   hit.t = m.t;
   hit.point = w * p.a + u * p.b + v * p.c;
-  uvec3 corner = texelFetch(triangles, texelPlace(2 * m.triangle + 1), 0).xyz;
-  int first = surfacePlace[m.surface].w;
+  uvec3 corner = texelFetch(triangles, texelCoord(2 * m.triangle + 1), 0).xyz;
+  int first = surfaceOffsets[m.surface].w;
   vec3 face = unitOr(cross(p.b - p.a, p.c - p.a), -ray.direction);
-  vec3 normal = unitOr(w * texelFetch(normals, texelPlace(first + int(corner.x)), 0).xyz +
-                           u * texelFetch(normals, texelPlace(first + int(corner.y)), 0).xyz +
-                           v * texelFetch(normals, texelPlace(first + int(corner.z)), 0).xyz,
+  vec3 normal = unitOr(w * texelFetch(normals, texelCoord(first + int(corner.x)), 0).xyz +
+                           u * texelFetch(normals, texelCoord(first + int(corner.y)), 0).xyz +
+                           v * texelFetch(normals, texelCoord(first + int(corner.z)), 0).xyz,
                        face);
   if (dot(face, ray.direction) > 0.0) face = -face;
   if (dot(normal, face) < 0.0) normal = -normal;
@@ -80,21 +80,21 @@ Hit meshHit(MeshHit m, Corners p, Ray ray) {
 }
 
 // Seen from above only; nothing where it has faded away. In radii of the scene.
-bool meetGround(Ray ray, float tMax, out float t, out float fade) {
+bool intersectGround(Ray ray, float tMax, out float t, out float fade) {
   fade = 1.0;
   float above = ray.origin.z - ground.x;
   t = above / -ray.direction.z;
   if (counts.w == 0 || !(above > 0.0) || !(ray.direction.z < 0.0) || !(t < tMax)) return false;
-  fade = smoothstep(1.2, 5.0, length(ray.origin.xy + t * ray.direction.xy) / studio.x);
+  fade = smoothstep(1.2, 5.0, length(ray.origin.xy + t * ray.direction.xy) / sceneSize.x);
   return fade < 1.0;
 }
 
 // The ball that stands for a light, or -1.
-float meetMarker(int light, Ray ray, float tMax) {
-  vec3 w = lightPlace[light].xyz - ray.origin;
+float intersectMarker(int light, Ray ray, float tMax) {
+  vec3 w = lightPosition[light].xyz - ray.origin;
   float along = dot(w, ray.direction);
   vec3 side = w - along * ray.direction;
-  float inside = studio.z * studio.z - dot(side, side);
+  float inside = sceneSize.z * sceneSize.z - dot(side, side);
   if (inside < 0.0) return -1.0;
   float t = along - sqrt(inside);
   return t > 0.0 && t < tMax ? t : -1.0;
@@ -103,7 +103,7 @@ float meetMarker(int light, Ray ray, float tMax) {
 // Mirror, ground and light markers: what has a formula. `hit` stays when it is nearer.
 void findPlainHit(Ray ray, inout Hit hit) {
   float t, fade;
-  if (meetGround(ray, hit.t, t, fade)) {
+  if (intersectGround(ray, hit.t, t, fade)) {
     hit = noHit;
     hit.kind = hitGround;
     hit.t = t;
@@ -111,7 +111,7 @@ void findPlainHit(Ray ray, inout Hit hit) {
     hit.faceNormal = hit.normal = vec3(0.0, 0.0, 1.0);
     hit.fade = fade;
   }
-  t = meetMirror(ray, hit.t);
+  t = intersectMirror(ray, hit.t);
   if (t > 0.0) {
     hit = noHit;
     hit.kind = hitMirror;
@@ -121,14 +121,14 @@ void findPlainHit(Ray ray, inout Hit hit) {
   }
   if (options.y == 0) return;
   for (int i = 0; i < counts.x; ++i) {
-    t = meetMarker(i, ray, hit.t);
+    t = intersectMarker(i, ray, hit.t);
     if (t < 0.0) continue;
     hit = noHit;
     hit.kind = hitMarker;
     hit.index = i;
     hit.t = t;
     hit.point = ray.origin + t * ray.direction;
-    hit.faceNormal = hit.normal = normalize(hit.point - lightPlace[i].xyz);
+    hit.faceNormal = hit.normal = normalize(hit.point - lightPosition[i].xyz);
   }
 }
 
@@ -138,7 +138,7 @@ Hit findHit(Ray ray) {
   findPlainHit(ray, hit);
   MeshHit mesh = noMeshHit;
   mesh.t = hit.t;
-  if (meetSurfaces(ray, surfacesAlong(ray, inMirror, hit.t), false, mesh)) {
+  if (intersectSurfaces(ray, surfacesAlong(ray, inMirror, hit.t), false, mesh)) {
     hit = meshHit(mesh, cornersOf(mesh.surface, mesh.triangle), ray);
   }
   return hit;
@@ -147,5 +147,5 @@ Hit findHit(Ray ray) {
 // Whether mirror or ground stop a ray to a light.
 bool isPlainlyBlocked(Ray ray, float tMax) {
   float t, fade;
-  return meetMirror(ray, tMax) > 0.0 || meetGround(ray, tMax, t, fade);
+  return intersectMirror(ray, tMax) > 0.0 || intersectGround(ray, tMax, t, fade);
 }

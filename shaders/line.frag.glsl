@@ -37,8 +37,8 @@ void main() {
   float coverage = clamp(form.x + 0.5 - lineDistance(p, size), 0.0, 1.0);
   if (form.z > 0.0) coverage = max(coverage, clamp(arrowDepth(p, size) + 0.5, 0.0, 1.0));
 
-  float share = clamp(p.x / max(size, 1e-4), 0.0, 1.0);
-  float z = parallelRays() ? mix(depths.x, depths.y, share) : 1.0 / mix(1.0 / depths.x, 1.0 / depths.y, share);
+  float fraction = clamp(p.x / max(size, 1e-4), 0.0, 1.0);
+  float z = parallelRays() ? mix(depths.x, depths.y, fraction) : 1.0 / mix(1.0 / depths.x, 1.0 / depths.y, fraction);
   bool hidden = lineDepth(0.9995 * z) > texelFetch(depth, ivec2(gl_FragCoord.xy), 0).x;
   float alpha = ink.a * coverage * (hidden && form.w < 0.5 ? shineThrough : 1.0);
   color = vec4(ink.rgb * alpha, alpha);

@@ -17,15 +17,15 @@ vec2 pixelOf(vec3 point) {
 }
 
 void main() {
-  vec4 a = texelFetch(lines, texelPlace(3 * gl_InstanceID), 0);
-  vec4 b = texelFetch(lines, texelPlace(3 * gl_InstanceID + 1), 0);
-  ink = texelFetch(lines, texelPlace(3 * gl_InstanceID + 2), 0);
+  vec4 a = texelFetch(lines, texelCoord(3 * gl_InstanceID), 0);
+  vec4 b = texelFetch(lines, texelCoord(3 * gl_InstanceID + 1), 0);
+  ink = texelFetch(lines, texelCoord(3 * gl_InstanceID + 2), 0);
   int kind = int(b.w + 0.5);
   float halfWidth = 0.5 * a.w * pixelScale;
 
   // What lies behind the eye is cut off.
   vec3 from = a.xyz, to = b.xyz;
-  float nearest = 1e-3 * studio.x;
+  float nearest = 1e-3 * sceneSize.x;
   float z0 = viewDepth(from), z1 = viewDepth(to);
   gl_Position = vec4(0.0, 0.0, -2.0, 1.0);
   ends = vec4(0.0);

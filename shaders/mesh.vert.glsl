@@ -11,17 +11,17 @@ flat out uint seenTriangle;
 
 void main() {
   int local = gl_VertexID / 3, corner = gl_VertexID - 3 * local;
-  ivec4 place = surfacePlace[surface];
+  ivec4 place = surfaceOffsets[surface];
   int triangle = place.y + local;
   seenTriangle = uint(triangle + 1);
-  uvec4 ids = texelFetch(triangles, texelPlace(2 * triangle), 0);
+  uvec4 ids = texelFetch(triangles, texelCoord(2 * triangle), 0);
   uint own = corner == 0 ? ids.x : corner == 1 ? ids.y : ids.z;
-  vec4 p = texelFetch(positions, texelPlace(place.z + int(own)), 0);
+  vec4 p = texelFetch(positions, texelCoord(place.z + int(own)), 0);
   bool usable = true;
   if ((surfaceSize[surface].y & wholeMesh) == 0) {
     for (int i = 0; i < 3; ++i) {
       uint id = i == 0 ? ids.x : i == 1 ? ids.y : ids.z;
-      usable = usable && texelFetch(positions, texelPlace(place.z + int(id)), 0).w > 0.5;
+      usable = usable && texelFetch(positions, texelCoord(place.z + int(id)), 0).w > 0.5;
     }
   }
   if (!usable) {

@@ -9,7 +9,7 @@ const int mirrorKind = MIRROR_KIND;  // a program for this one only: shorter, wh
 #endif
 
 // The distance along the ray, before tMax; -1 for none.
-float meetPlane(Ray ray, float tMax) {
+float intersectPlane(Ray ray, float tMax) {
   float t = dot(mirrorAxis.xyz, mirror.xyz - ray.origin) / dot(mirrorAxis.xyz, ray.direction);
   if (!(t > 0.0 && t < tMax)) return -1.0;
   vec3 q = ray.origin + t * ray.direction;
@@ -27,7 +27,7 @@ bool withinEnds(Ray ray, float t) {
 
 // Sphere and cylinder. The discriminant is taken at the ray's nearest point to the middle, where nothing cancels
 // (Haines et al. 2019, "Precision improvements for ray/sphere intersection").
-float meetRound(Ray ray, float tMax) {
+float intersectRound(Ray ray, float tMax) {
   vec3 w = ray.origin - mirror.xyz, u = ray.direction;
   if (mirrorKind == cylinderMirror) {
     w -= dot(w, mirrorAxis.xyz) * mirrorAxis.xyz;
@@ -46,9 +46,9 @@ float meetRound(Ray ray, float tMax) {
   return -1.0;
 }
 
-float meetMirror(Ray ray, float tMax) {
+float intersectMirror(Ray ray, float tMax) {
   if (mirrorKind == noMirror) return -1.0;
-  return mirrorKind == planeMirror ? meetPlane(ray, tMax) : meetRound(ray, tMax);
+  return mirrorKind == planeMirror ? intersectPlane(ray, tMax) : intersectRound(ray, tMax);
 }
 
 // Unit, towards where the ray comes from.

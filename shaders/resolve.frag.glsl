@@ -2,8 +2,8 @@
 // display colours (lines, outline) on top. Straight alpha.
 
 uniform sampler2D light;  // linear light times alpha, alpha
-uniform sampler2D ink;    // display colour times alpha, alpha
-uniform int hasInk;
+uniform sampler2D overlay;    // display colour times alpha, alpha
+uniform int hasOverlay;
 
 out vec4 color;
 
@@ -18,8 +18,8 @@ void main() {
   vec4 below = texelFetch(light, pixel, 0);
   if (below.a > 0.0) below.rgb /= below.a;
   vec4 result = vec4(toDisplay(below.r), toDisplay(below.g), toDisplay(below.b), 1.0) * below.a;
-  if (hasInk != 0) {
-    vec4 above = texelFetch(ink, pixel, 0);
+  if (hasOverlay != 0) {
+    vec4 above = texelFetch(overlay, pixel, 0);
     result = above + (1.0 - above.a) * result;
   }
   if (result.a > 0.0) result.rgb /= result.a;

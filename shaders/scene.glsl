@@ -18,11 +18,11 @@ layout(std140) uniform Scene {
   vec4 lens;       // x: size of a pixel at distance 1 (parallel rays: everywhere); yz: shift of the sample in pixels
   vec4 depthRange; // x, y: near and far of meshes; z, w: see lineDepth() of camera.glsl
 
-  vec4 studio;           // x: radius of the scene, y: how far rays are lifted off a surface, z: radius of light markers
+  vec4 sceneSize;           // x: radius of the scene, y: how far rays are lifted off a surface, z: radius of light markers
   vec4 backgroundTop;    // rgb; w: 1 when nothing is behind the things (transparent)
   vec4 backgroundBottom;
   vec4 ground;           // x: height, y: between the lines of the grid, zw: the grid's origin
-  vec4 groundMatter[2];  // as matter[]
+  vec4 groundMaterial[2];  // as materials[]
 
   vec4 mirror;         // xyz: corner, lower end or centre; w: radius
   vec4 mirrorAxis;     // xyz: normal or axis; w: length of the axis, or longest edge
@@ -32,8 +32,8 @@ layout(std140) uniform Scene {
   vec4 surfaceCentre[surfaceCount];  // xyz; w: radius
   vec4 surfaceLow[surfaceCount];     // its box
   vec4 surfaceHigh[surfaceCount];
-  vec4 matter[2 * surfaceCount];     // rgb colour, ambient; diffuse, specular, shininess, -
-  vec4 lightPlace[lightLimit];       // xyz
+  vec4 materials[2 * surfaceCount];     // rgb colour, ambient; diffuse, specular, shininess, -
+  vec4 lightPosition[lightLimit];       // xyz
   vec4 lightColor[lightLimit];       // rgb times intensity
 
   vec4 screenCorner;  // of the RT camera's pixel grid: xyz upper left; w: opacity, 0: not drawn
@@ -42,6 +42,6 @@ layout(std140) uniform Scene {
 
   ivec4 counts;  // x: lights, y: reflections in a row, z: kind of mirror (0: none), w: 1 when there is a ground
   ivec4 options; // x: 1 with shadows, y: 1 with light markers, z: look of the original (0 hidden, 1 solid, 2 ghost)
-  ivec4 surfacePlace[surfaceCount];  // where its nodes, triangles, vertices and normals begin
-  ivec4 surfaceSize[surfaceCount];   // x: triangles, y: flags, z: root, as meetSurfaces() keeps nodes
+  ivec4 surfaceOffsets[surfaceCount];  // where its nodes, triangles, vertices and normals begin
+  ivec4 surfaceSize[surfaceCount];   // x: triangles, y: flags, z: root, as intersectSurfaces() keeps nodes
 };

@@ -5,13 +5,13 @@ vec3 backgroundColor(vec3 direction) {
   return mix(backgroundBottom.rgb, backgroundTop.rgb, clamp(0.5 + 0.5 * direction.z, 0.0, 1.0));
 }
 
-struct Matter {
+struct Material {
   vec3 color;
   float ambient, diffuse, specular, shininess;
 };
 
-Matter unpack(vec4 a, vec4 b) {
-  return Matter(a.rgb, a.a, b.x, b.y, b.z);
+Material unpack(vec4 a, vec4 b) {
+  return Material(a.rgb, a.a, b.x, b.y, b.z);
 }
 
 // Chiang et al. 2019, "Taming the Shadow Terminator"
@@ -21,28 +21,28 @@ float terminatorFactor(Hit hit, vec3 toLight, float cosine) {
   return g >= 1.0 ? 1.0 : g * (1.0 + g * (1.0 - g));
 }
 
-vec3 phongResponse(Matter matter, Hit hit, vec3 toLight, vec3 toEye) {
+vec3 phongResponse(Material materials, Hit hit, vec3 toLight, vec3 toEye) {
   float cosine = dot(hit.normal, toLight);
   if (!(cosine > 0.0)) return vec3(0.0);
   float factor = terminatorFactor(hit, toLight, cosine);
   if (!(factor > 0.0)) return vec3(0.0);
   float highlight = dot(2.0 * cosine * hit.normal - toLight, toEye);
-  float power = highlight > 0.0 ? pow(highlight, matter.shininess) : matter.shininess == 0.0 ? 1.0 : 0.0;
-  return factor * (matter.diffuse * cosine * matter.color + vec3(matter.specular * power));
+  float power = highlight > 0.0 ? pow(highlight, materials.shininess) : materials.shininess == 0.0 ? 1.0 : 0.0;
+  return factor * (materials.diffuse * cosine * materials.color + vec3(materials.specular * power));
 }
 
 // Ambient light, and every light that reaches the point. `shadowFlag` says which surfaces can stop light.
-vec3 lit(Matter matter, Hit hit, vec3 toEye, int shadowFlag) {
-  vec3 color = matter.ambient * matter.color;
+vec3 lit(Material materials, Hit hit, vec3 toEye, int shadowFlag) {
+  vec3 color = materials.ambient * materials.color;
   for (int i = 0; i < counts.x; ++i) {
-    vec3 towards = lightPlace[i].xyz - hit.point;
+    vec3 towards = lightPosition[i].xyz - hit.point;
     float away = length(towards);
     if (!(away > 0.0)) continue;
-    vec3 response = phongResponse(matter, hit, towards / away, toEye);
+    vec3 response = phongResponse(materials, hit, towards / away, toEye);
     if (response == vec3(0.0)) continue;
     if (options.x != 0) {
-      vec3 start = hit.point + studio.y * hit.faceNormal;
-      vec3 way = lightPlace[i].xyz - start;
+      vec3 start = hit.point + sceneSize.y * hit.faceNormal;
+      vec3 way = lightPosition[i].xyz - start;
       away = length(way);
       Ray toLight = Ray(start, away > 0.0 ? way / away : hit.faceNormal);
       if (isPlainlyBlocked(toLight, away)) continue;
@@ -50,7 +50,7 @@ vec3 lit(Matter matter, Hit hit, vec3 toEye, int shadowFlag) {
 #ifdef TRACED
       MeshHit blocker = noMeshHit;
       blocker.t = away;
-      if (meetSurfaces(toLight, surfaces, true, blocker)) continue;
+      if (intersectSurfaces(toLight, surfaces, true, blocker)) continue;
 #else
       if (surfaces != 0) discard;  // the other program does this pixel
 #endif
@@ -68,14 +68,14 @@ float lineCoverage(float x, float width, float footprint) {
   return clamp((0.5 * drawn - fromLine) / soft + 0.5, 0.0, 1.0) * width / drawn;
 }
 
-Matter groundMatterAt(vec3 point, float footprint) {
-  Matter matter = unpack(groundMatter[0], groundMatter[1]);
-  if (!(ground.y > 0.0)) return matter;
+Material groundMaterialAt(vec3 point, float footprint) {
+  Material materials = unpack(groundMaterial[0], groundMaterial[1]);
+  if (!(ground.y > 0.0)) return materials;
   vec2 cell = (point.xy + ground.zw) / ground.y;
   float pixel = footprint / ground.y;
   float line = max(lineCoverage(cell.x, 0.018, pixel), lineCoverage(cell.y, 0.018, pixel));
-  matter.color *= 1.0 - 0.28 * line;
-  return matter;
+  materials.color *= 1.0 - 0.28 * line;
+  return materials;
 }
 
 // A lamp: brightest where one looks straight at it.
@@ -91,9 +91,9 @@ vec3 shade(Hit hit, Ray ray, float travelled, int shadowFlag) {
   if (hit.kind == hitMarker) return markerColor(hit, ray.direction);
   vec3 behind = backgroundColor(ray.direction);
   if (hit.kind == hitNothing) return behind;
-  Matter made = groundMatterAt(hit.point, footprintAt(travelled) / max(0.02, abs(ray.direction.z)));
+  Material made = groundMaterialAt(hit.point, footprintAt(travelled) / max(0.02, abs(ray.direction.z)));
 #ifdef TRACED
-  if (hit.kind == hitMesh) made = unpack(matter[2 * hit.index], matter[2 * hit.index + 1]);
+  if (hit.kind == hitMesh) made = unpack(materials[2 * hit.index], materials[2 * hit.index + 1]);
 #endif
   vec3 color = mix(lit(made, hit, -ray.direction, shadowFlag), behind, hit.fade);
 #ifdef WIRES
@@ -120,7 +120,7 @@ vec3 follow(Ray ray, Hit hit) {
     weight *= (1.0 - rim) * mirrorTint.rgb;
     travelled += hit.t;
     vec3 outwards = normalize(reflect(ray.direction, hit.normal));
-    ray = Ray(hit.point + studio.y * hit.faceNormal, outwards);
+    ray = Ray(hit.point + sceneSize.y * hit.faceNormal, outwards);
   }
   return color + weight * backgroundColor(ray.direction);
 #else

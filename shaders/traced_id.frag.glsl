@@ -8,6 +8,6 @@ out uint id;
 
 void main() {
   MeshHit hit = noMeshHit;
-  bool met = meetSurfaces(pixelRay(gl_FragCoord.xy), wanted, false, hit);
+  bool met = intersectSurfaces(pixelRay(gl_FragCoord.xy), wanted, false, hit);
   id = met ? uint(hit.triangle + 1) : 0u;
 }

@@ -7,5 +7,5 @@ out vec4 mask;
 
 void main() {
   MeshHit hit = noMeshHit;
-  mask = vec4(meetSurfaces(pixelRay(gl_FragCoord.xy), wanted, true, hit) ? 1.0 : 0.0);
+  mask = vec4(intersectSurfaces(pixelRay(gl_FragCoord.xy), wanted, true, hit) ? 1.0 : 0.0);
 }

@@ -56,15 +56,15 @@ double edgeErrorPixels(const EdgeJudge& judge, const EdgeEnd& a, const EdgeEnd& 
   const bool endsMapped = a.status == PathStatus::mapped && b.status == PathStatus::mapped;
   double worst = 0;
   int mappedSamples = 0, samples = 0;
-  const auto sample = [&](double share) {
-    const Point middle = glm::mix(a.original, b.original, share);
+  const auto sample = [&](double fraction) {
+    const Point middle = glm::mix(a.original, b.original, fraction);
     const MappedPoint mapped = mapPoint(judge.optic, judge.projection.eye(), middle, judge.depthScale);
     ++samples;
     if (mapped.status != PathStatus::mapped) return;
     ++mappedSamples;
     if (!endsMapped) return;
     worst =
-        std::max(worst, gapPixels(judge, middle, mapped.point, glm::mix(a.sculpture, b.sculpture, share)));
+        std::max(worst, gapPixels(judge, middle, mapped.point, glm::mix(a.sculpture, b.sculpture, fraction)));
   };
   sample(0.5);
   if (length > longEdgePixels) {

@@ -46,13 +46,13 @@ class Matcher {
     const bool seesOriginal = input_.originalBvh->closestHit(ray, first);
 
     const OpticPath path = followRay(input_.optic, ray);
-    const bool meetsMirror = path.pointCount > 0;
+    const bool hitsMirror = path.pointCount > 0;
     const bool direct = input_.optic.kind == OpticKind::none;
-    const bool hidden = !direct && meetsMirror && sculptureStandsInTheWay(path);
+    const bool hidden = !direct && hitsMirror && sculptureStandsInTheWay(path);
     std::optional<ReflectedHit> reflected;
     if (direct) {
       reflected = sculptureAlong(ray);
-    } else if (meetsMirror && !hidden) {
+    } else if (hitsMirror && !hidden) {
       reflected = sculptureAlong(path.exit, freeLength(input_.optic, path));
     }
 
@@ -66,9 +66,7 @@ class Matcher {
       result.sameTriangle =
           touch(input_.original->positions, triangles[first.triangle], triangles[reflected->sourceTriangle]);
     } else if (seesOriginal) {
-      result.kind = !meetsMirror ? PixelClass::missed
-                    : hidden     ? PixelClass::hidden
-                                 : PixelClass::onlyOriginal;
+      result.kind = !hitsMirror ? PixelClass::missed : hidden ? PixelClass::hidden : PixelClass::onlyOriginal;
     } else if (reflected) {
       result.kind = PixelClass::onlyReflection;
     }

@@ -12,7 +12,7 @@
 #include <glad/gl.h>
 
 #include "app/commands.h"
-#include "app/headless_desk.h"
+#include "app/headless_gui.h"
 #include "base/error.h"
 #include "cli/report.h"
 #include "gl/load_gl.h"
@@ -35,8 +35,8 @@ struct Statistics {
 Statistics statisticsOf(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * (values.size() - 1) + 0.5)];
+  const auto at = [&](double fraction) {
+    return values[static_cast<std::size_t>(fraction * (values.size() - 1) + 0.5)];
   };
   return {at(0.5), at(0.95), values.back()};
 }
@@ -52,8 +52,8 @@ struct Recording {
   }
 };
 
-void record(Recording& recording, const Desk& desk, const LiveTimes& live, double gpu) {
-  const FrameTimes& t = desk.times();
+void record(Recording& recording, const Gui& gui, const LiveTimes& live, double gpu) {
+  const FrameTimes& t = gui.times();
   recording.add("panels and mouse", t.panels);
   recording.add("original", live.original);
   recording.add("sculpture", live.sculpture);
@@ -68,9 +68,9 @@ void record(Recording& recording, const Desk& desk, const LiveTimes& live, doubl
 }
 
 // Where the arrow of the x axis can be taken, else that of another axis.
-Pixel gripOf(Desk& desk) {
-  const ShownGizmo shown = currentGizmo(desk.work(), desk.ui());
-  const Rect& view = desk.ui().layout.view;
+Pixel gripOf(Gui& gui) {
+  const ShownGizmo shown = currentGizmo(gui.editor(), gui.ui());
+  const Rect& view = gui.ui().layout.view;
   constexpr float edge = 6;
   const Rect inner{edge, edge, view.width - 2 * edge, view.height - 2 * edge};
   for (const GizmoHandle handle : {GizmoHandle::x, GizmoHandle::y, GizmoHandle::z}) {
@@ -86,12 +86,12 @@ Pixel gripOf(Desk& desk) {
   throw Error("bench-drag: the view shows no handle to drag; change the level's view");
 }
 
-Recording drag(HeadlessDesk& headless, Part part, int frames) {
-  Desk& desk = headless.desk();
-  desk.work().selection = {part, 0};
+Recording drag(HeadlessGui& headless, Part part, int frames) {
+  Gui& gui = headless.gui();
+  gui.editor().selection = {part, 0};
   headless.settle();
-  const Rect& view = desk.ui().layout.view;
-  const Pixel grip = gripOf(desk);
+  const Rect& view = gui.ui().layout.view;
+  const Pixel grip = gripOf(gui);
   const auto move = [&](double offset) {
     headless.moveMouse(view.x + static_cast<float>(grip.x + offset), view.y + static_cast<float>(grip.y));
   };
@@ -99,21 +99,21 @@ Recording drag(HeadlessDesk& headless, Part part, int frames) {
   headless.frame();
   headless.pressMouse(0, true);
   headless.frame();
-  const Level before = desk.work().session.level();
+  const Level before = gui.editor().session.level();
   bool moved = false;
   Recording recording;
   for (int i = 1; i <= frames; ++i) {
     move(40 * std::sin(2 * pi * i / 80.0));
     headless.frame();
     glFinish();
-    moved |= !(before == desk.work().session.level());
-    record(recording, desk, desk.work().studio.liveTimes(), desk.times().gpu);
+    moved |= !(before == gui.editor().session.level());
+    record(recording, gui, gui.editor().updater.liveTimes(), gui.times().gpu);
   }
   if (!moved) throw Error("bench-drag: the drag changed nothing");
   headless.pressMouse(0, false);
   headless.frame();
   headless.moveMouse(-1e6f, -1e6f);
-  desk.work().session.undo();
+  gui.editor().session.undo();
   return recording;
 }
 
@@ -139,10 +139,10 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
   const HeadlessContext context;
   Preferences preferences;
   preferences.uiScale = 1;
-  HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
-  headless.desk().open(level);
+  HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
+  headless.gui().open(level);
   headless.settle();
-  const Products& products = headless.desk().work().studio.products();
+  const Products& products = headless.gui().editor().updater.products();
   if (products.problem) throw Error(*products.problem, level.string());
   const std::size_t vertices = products.sculpture.sculpture->mesh.positions.size();
   const std::size_t triangles = products.sculpture.sculpture->mesh.triangles.size();

@@ -9,9 +9,9 @@
 #include "exports/export_request.h"
 
 namespace anamorph {
-void ExportJob::update(Workspace& work, UiState& ui) {
+void ExportJob::update(Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
-  const Products& products = work.studio.products();
+  const Products& products = editor.updater.products();
   if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
   if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
@@ -24,12 +24,12 @@ void ExportJob::update(Workspace& work, UiState& ui) {
     waiting_.reset();
     dialog.say(tr("There is no sculpture to export."), {*products.problem});
   }
-  if (waiting_ && !products.complete && !work.studio.busy()) work.studio.restart();  // it was cancelled
+  if (waiting_ && !products.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled
   if (waiting_ && products.complete) start(*std::exchange(waiting_, std::nullopt), products, dialog);
   const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
   if (auto outcome = outcomes_->take()) {
     dialog.say(std::move(outcome->message), std::move(outcome->lines), std::move(outcome->rows));
-    if (outcome->written) ++work.exported;
+    if (outcome->written) ++editor.exported;
     cancelled_ = false;
   }
   if (auto failure = worker_.takeFailure()) {
@@ -42,7 +42,7 @@ void ExportJob::update(Workspace& work, UiState& ui) {
     cancelled_ = false;
   }
   dialog.running = waiting_ || worker_.busy();
-  dialog.share = waiting_ ? 0 : worker_.share();
+  dialog.fraction = waiting_ ? 0 : worker_.fraction();
 }
 
 void ExportJob::start(Task task, const Products& products, const ExportDialog& dialog) {

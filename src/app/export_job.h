@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "panels/ui_state.h"
 #include "pipeline/worker.h"
 
@@ -20,7 +20,7 @@ class ExportJob {
 
   /// Once a frame: starts and cancels as the window asks, and tells it how far things are and what came of
   /// them. A file that was written counts for the lesson.
-  void update(Workspace& work, UiState& ui);
+  void update(Editor& editor, UiState& ui);
 
  private:
   struct Outcome {

@@ -37,7 +37,7 @@ bool RenderJob::update(const Products& products, UiState& ui) {
   const bool running = worker_.busy();
   changed |= running != dialog.running;
   dialog.running = running;
-  dialog.share = worker_.share();
+  dialog.fraction = worker_.fraction();
   return changed;
 }
 

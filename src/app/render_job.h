@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "edit/studio.h"
+#include "edit/live_updater.h"
 #include "panels/ui_state.h"
 #include "pipeline/worker.h"
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
-#include "app/headless_desk.h"
+#include "app/headless_gui.h"
 #include "app/languages.h"
 #include "app/preferences.h"
 #include "app/shot.h"
@@ -48,36 +48,36 @@ GridCell parseCell(const std::string& text, const Camera& camera) {
   return cell;
 }
 
-void pickVertex(Workspace& work, std::uint32_t vertex) {
-  const Products& products = work.studio.products();
+void pickVertex(Editor& editor, std::uint32_t vertex) {
+  const Products& products = editor.updater.products();
   if (!products.original.mesh) return;
   const Mesh& mesh = *products.original.mesh;
-  work.point = pickedVertex(mesh, vertex);
-  if (!work.point) {
+  editor.point = pickedVertex(mesh, vertex);
+  if (!editor.point) {
     throw UsageError(fmt::format("--select-vertex: expected one of the original's vertices, 0 to {}, got {}",
                                  mesh.positions.size() - 1, vertex));
   }
-  work.selection = {Part::sculpture, 0};
+  editor.selection = {Part::sculpture, 0};
 }
 
-void arrange(Workspace& work, UiState& ui, const ScreenshotOptions& options) {
+void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
   static const std::map<std::string, Part> parts{{"eye", Part::eye},
                                                  {"original", Part::original},
                                                  {"mirror", Part::mirror},
                                                  {"sculpture", Part::sculpture}};
-  if (!options.select.empty()) work.selection = {parts.at(options.select), 0};
+  if (!options.select.empty()) editor.selection = {parts.at(options.select), 0};
   const auto tab = std::find(previewTabs.begin(), previewTabs.end(), options.tab);
-  if (tab != previewTabs.end()) work.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
-  if (!options.pixel.empty()) work.cell = parseCell(options.pixel, work.session.level().camera);
-  work.display.morph = options.morph;
+  if (tab != previewTabs.end()) editor.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
+  if (!options.pixel.empty()) editor.cell = parseCell(options.pixel, editor.session.level().camera);
+  editor.display.morph = options.morph;
   ui.panelsHidden = options.noPanels;
-  if (options.lookThrough) toggleLookThrough(work);
-  advanceLesson(work);
-  if (options.step > 0) openStep(work, options.step - 1);
-  if (options.present) perform(Action::present, work, ui);
-  if (options.help) perform(Action::help, work, ui);
-  if (options.exporting) perform(Action::exportFiles, work, ui);
-  if (options.progress) perform(Action::progress, work, ui);
+  if (options.lookThrough) toggleLookThrough(editor);
+  advanceLesson(editor);
+  if (options.step > 0) openStep(editor, options.step - 1);
+  if (options.present) perform(Action::present, editor, ui);
+  if (options.help) perform(Action::help, editor, ui);
+  if (options.exporting) perform(Action::exportFiles, editor, ui);
+  if (options.progress) perform(Action::progress, editor, ui);
   if (options.tour > 0) ui.tourCard = options.tour - 1;
 }
 
@@ -93,22 +93,22 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   preferences.uiScale = options.uiScale;
   preferences.language = options.language;
   chooseLanguage(options.language);  // an Error comes before the work
-  HeadlessDesk headless(options.size.first, options.size.second, preferences, common.threads);
-  Desk& desk = headless.desk();
-  desk.open(level);
-  desk.setTransparent(options.transparent);
-  desk.ui().bare = options.transparent && options.noPanels;
-  arrange(desk.work(), desk.ui(), options);
+  HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
+  Gui& gui = headless.gui();
+  gui.open(level);
+  gui.setTransparent(options.transparent);
+  gui.ui().bare = options.transparent && options.noPanels;
+  arrange(gui.editor(), gui.ui(), options);
   headless.settle();
   if (options.showMe) {
-    showStep(desk.work(), desk.ui());
+    showStep(gui.editor(), gui.ui());
     headless.settle();
   }
   if (options.vertex) {
-    pickVertex(desk.work(), *options.vertex);
+    pickVertex(gui.editor(), *options.vertex);
     headless.settle();
   }
-  if (const auto& problem = desk.work().studio.products().problem) sayMessage(common, *problem);
+  if (const auto& problem = gui.editor().updater.products().problem) sayMessage(common, *problem);
   Bitmap bitmap = headless.readBack();
   if (options.transparent) divideByAlpha(bitmap);
   savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap));

@@ -18,25 +18,25 @@ namespace {
 // Puts things back, whatever happens.
 class Undisturbed {
  public:
-  explicit Undisturbed(Desk& desk)
-      : desk_(desk),
+  explicit Undisturbed(Gui& gui)
+      : gui_(gui),
         size_(ImGui::GetIO().DisplaySize),
         scale_(ImGui::GetIO().DisplayFramebufferScale),
         mouse_(ImGui::GetIO().MousePos),
-        message_(std::exchange(desk.work().message, "")),  // it is about the picture that is being made
-        panelsHidden_(desk.ui().panelsHidden),
-        exportOpen_(desk.ui().exporting.open) {}
+        message_(std::exchange(gui.editor().message, "")),  // it is about the picture that is being made
+        panelsHidden_(gui.ui().panelsHidden),
+        exportOpen_(gui.ui().exporting.open) {}
   ~Undisturbed() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = size_;
     io.DisplayFramebufferScale = scale_;
     io.MousePos = mouse_;
-    desk_.ui().panelsHidden = panelsHidden_;
-    desk_.ui().exporting.open = exportOpen_;
-    desk_.setShotFactor(1);
-    desk_.setTransparent(false);
-    desk_.ui().bare = false;
-    desk_.work().message = message_;
+    gui_.ui().panelsHidden = panelsHidden_;
+    gui_.ui().exporting.open = exportOpen_;
+    gui_.setShotFactor(1);
+    gui_.setTransparent(false);
+    gui_.ui().bare = false;
+    gui_.editor().message = message_;
   }
   Undisturbed(const Undisturbed&) = delete;
   Undisturbed& operator=(const Undisturbed&) = delete;
@@ -46,7 +46,7 @@ class Undisturbed {
 
  private:
   SavedTarget target_;
-  Desk& desk_;
+  Gui& gui_;
   ImVec2 size_, scale_, mouse_;
   std::string message_;
   bool panelsHidden_, exportOpen_;
@@ -86,8 +86,8 @@ Bitmap withoutAlpha(const Bitmap& bitmap) {
   return opaque;
 }
 
-Bitmap takeShot(Desk& desk, const ShotRequest& request) {
-  const Undisturbed guard(desk);
+Bitmap takeShot(Gui& gui, const ShotRequest& request) {
+  const Undisturbed guard(gui);
   const int factor = std::clamp(request.factor, 1, 4);
   const int width = guard.width() * factor, height = guard.height() * factor, most = Texture::maxSize();
   if (std::max(width, height) > most) {
@@ -101,18 +101,18 @@ Bitmap takeShot(Desk& desk, const ShotRequest& request) {
   io.DisplaySize = {static_cast<float>(target.width()), static_cast<float>(target.height())};
   io.DisplayFramebufferScale = {1, 1};
   io.MousePos = {-FLT_MAX, -FLT_MAX};
-  desk.setShotFactor(factor);
-  desk.setTransparent(request.transparent);
-  desk.ui().bare = request.transparent && !request.panels;
-  desk.ui().exporting.open = false;
-  desk.ui().panelsHidden = !request.panels;
+  gui.setShotFactor(factor);
+  gui.setTransparent(request.transparent);
+  gui.ui().bare = request.transparent && !request.panels;
+  gui.ui().exporting.open = false;
+  gui.ui().panelsHidden = !request.panels;
   // What is larger need not be as smooth.
   const ViewQuality finest = QualityGovernor::best(),
                     best{1, finest.samplesNow, finest.samples / (factor == 3 ? 4 : factor)};
   constexpr int layoutFrames = 4, mostFrames = 200;
-  for (int i = 0; i < layoutFrames || (i < mostFrames && !desk.viewComplete()); ++i) {
+  for (int i = 0; i < layoutFrames || (i < mostFrames && !gui.viewComplete()); ++i) {
     target.bind();
-    desk.frame(1e-4, i + 1 < layoutFrames ? nullptr : &best);
+    gui.frame(1e-4, i + 1 < layoutFrames ? nullptr : &best);
   }
   Bitmap bitmap = readBack(target);
   if (!request.transparent) return withoutAlpha(bitmap);

@@ -2,7 +2,7 @@
 // nothing on request. Drawn anew for the picture, so they are as sharp as a screen of that size.
 #pragma once
 
-#include "app/desk.h"
+#include "app/gui.h"
 #include "gl/framebuffer.h"
 
 namespace anamorph {
@@ -14,7 +14,7 @@ Bitmap readBack(const Framebuffer& target);
 void divideByAlpha(Bitmap& bitmap);
 Bitmap withoutAlpha(const Bitmap& bitmap);
 
-/// The desk as it is, in its final quality. The window goes on as before with its next frame.
-Bitmap takeShot(Desk& desk, const ShotRequest& request);
+/// The GUI as it is, in its final quality. The window goes on as before with its next frame.
+Bitmap takeShot(Gui& gui, const ShotRequest& request);
 
 }  // namespace anamorph

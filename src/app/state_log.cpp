@@ -49,58 +49,59 @@ JsonValue poseJson(const ViewPose& pose) {
 
 }  // namespace
 
-std::string stateLine(Desk& desk, std::size_t frame) {
-  const Workspace& work = desk.work();
-  const UiState& ui = desk.ui();
-  const Level& level = work.session.level();
-  const Products& products = work.studio.products();
+std::string stateLine(Gui& gui, std::size_t frame) {
+  const Editor& editor = gui.editor();
+  const UiState& ui = gui.ui();
+  const Level& level = editor.session.level();
+  const Products& products = editor.updater.products();
   const double iou =
       products.match ? products.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  return compactJson(
-      JsonObject()
-          .add("frame", frame)
-          .add("level", work.session.path().string())
-          .add("eye", level.camera.eye)
-          .add("target", level.camera.target)
-          .add("original", level.original.placement.position)
-          .add("depthScale", level.sculpture.depthScale)
-          .add("modified", work.session.modified())
-          .add("changing", work.session.changing())
-          .add("canUndo", work.session.canUndo())
-          .add("canRedo", work.session.canRedo())
-          .add("selection", std::string(nameOf(work.selection.part)))
-          .add("cell", work.cell ? listOf({double(work.cell->column), double(work.cell->row)}) : JsonValue())
-          .add("pointPicked", work.point.has_value())
-          .add("problem", products.problem.value_or(""))
-          .add("refined", products.refined)
-          .add("complete", products.complete)
-          .add("iou", iou)
-          .add("unfinished", desk.unfinished())
-          .add("lookingThrough", work.lookingThrough)
-          .add("pose", poseJson(work.pose))
-          .add("window", listOf({size.x, size.y}))
-          .add("view", rectJson(ui.layout.view))
-          .add("properties", rectJson(ui.layout.properties))
-          .add("preview", rectJson(ui.layout.preview))
-          .add("scale", ui.scale)
-          .add("panelsHidden", ui.panelsHidden)
-          .add("helpOpen", ui.helpOpen)
-          .add("lesson", work.lesson.lesson.id)
-          .add("step", work.lesson.step)
-          .add("stepDone", work.lesson.done)
-          .add("presenting", ui.presenting)
-          .add("exporting", ui.exporting.open)
-          .add("exported", std::size_t(work.exported))
-          .add("tourCard", double(ui.tourCard))
-          .add("message", work.message)
-          .add("title", windowTitle(work.session))
-          .add("job", work.job.busy())
-          .add("dialog", std::string(dialogName(ui)))
-          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
-          .add("typed", ui.browser.text)
-          .add("notice", ui.notice ? ui.notice->text : "")
-          .value());
+  return compactJson(JsonObject()
+                         .add("frame", frame)
+                         .add("level", editor.session.path().string())
+                         .add("eye", level.camera.eye)
+                         .add("target", level.camera.target)
+                         .add("original", level.original.placement.position)
+                         .add("depthScale", level.sculpture.depthScale)
+                         .add("modified", editor.session.modified())
+                         .add("changing", editor.session.changing())
+                         .add("canUndo", editor.session.canUndo())
+                         .add("canRedo", editor.session.canRedo())
+                         .add("selection", std::string(nameOf(editor.selection.part)))
+                         .add("cell", editor.cell
+                                          ? listOf({double(editor.cell->column), double(editor.cell->row)})
+                                          : JsonValue())
+                         .add("pointPicked", editor.point.has_value())
+                         .add("problem", products.problem.value_or(""))
+                         .add("refined", products.refined)
+                         .add("complete", products.complete)
+                         .add("iou", iou)
+                         .add("unfinished", gui.unfinished())
+                         .add("lookingThrough", editor.lookingThrough)
+                         .add("pose", poseJson(editor.pose))
+                         .add("window", listOf({size.x, size.y}))
+                         .add("view", rectJson(ui.layout.view))
+                         .add("properties", rectJson(ui.layout.properties))
+                         .add("preview", rectJson(ui.layout.preview))
+                         .add("scale", ui.scale)
+                         .add("panelsHidden", ui.panelsHidden)
+                         .add("helpOpen", ui.helpOpen)
+                         .add("lesson", editor.lesson.lesson.id)
+                         .add("step", editor.lesson.step)
+                         .add("stepDone", editor.lesson.done)
+                         .add("presenting", ui.presenting)
+                         .add("exporting", ui.exporting.open)
+                         .add("exported", std::size_t(editor.exported))
+                         .add("tourCard", double(ui.tourCard))
+                         .add("message", editor.message)
+                         .add("title", windowTitle(editor.session))
+                         .add("job", editor.job.busy())
+                         .add("dialog", std::string(dialogName(ui)))
+                         .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
+                         .add("typed", ui.browser.text)
+                         .add("notice", ui.notice ? ui.notice->text : "")
+                         .value());
 }
 
 StateLog::StateLog(const std::filesystem::path& path) {
@@ -109,9 +110,9 @@ StateLog::StateLog(const std::filesystem::path& path) {
   if (!file_) throw Error("cannot be written", path.string());
 }
 
-void StateLog::add(Desk& desk) {
+void StateLog::add(Gui& gui) {
   if (!file_.is_open()) return;
-  file_ << stateLine(desk, ++frames_) << '\n' << std::flush;
+  file_ << stateLine(gui, ++frames_) << '\n' << std::flush;
 }
 
 }  // namespace anamorph

@@ -7,20 +7,20 @@
 #include <fstream>
 #include <string>
 
-#include "app/desk.h"
+#include "app/gui.h"
 
 namespace anamorph {
 
 /// One line of the log: number of the frame, level, what can be edited, selection, history, match, view,
 /// places of the panels in pixels.
-std::string stateLine(Desk& desk, std::size_t frame);
+std::string stateLine(Gui& gui, std::size_t frame);
 
 class StateLog {
  public:
   /// Begins an empty file. An empty path: no log. Throws Error.
   explicit StateLog(const std::filesystem::path& path);
   /// After a frame.
-  void add(Desk& desk);
+  void add(Gui& gui);
 
  private:
   std::ofstream file_;

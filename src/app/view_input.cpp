@@ -17,112 +17,115 @@ void append(std::vector<Line>& lines, std::vector<Line> more) {
   lines.insert(lines.end(), more.begin(), more.end());
 }
 
-std::optional<std::size_t> treeOf(const Workspace& work) {
-  if (!work.cell) return std::nullopt;
-  const Camera& camera = work.studio.products().level.camera;
-  return static_cast<std::size_t>(work.cell->row) * camera.gridColumns + work.cell->column;
+std::optional<std::size_t> treeOf(const Editor& editor) {
+  if (!editor.cell) return std::nullopt;
+  const Camera& camera = editor.updater.products().level.camera;
+  return static_cast<std::size_t>(editor.cell->row) * camera.gridColumns + editor.cell->column;
 }
 
 // Which rays are shown: those of one pixel when one is picked, else as the settings say.
 enum class Shown { none, trees, vertices };
 
-Shown shownRays(const Workspace& work) {
-  const Products& products = work.studio.products();
-  if (!work.rays.show || products.problem || !products.original.mesh) return Shown::none;
-  if (work.cell || work.rays.source == RaySource::pixels) return products.trees ? Shown::trees : Shown::none;
-  return work.point ? Shown::none : Shown::vertices;  // the picked vertex has its construction
+Shown shownRays(const Editor& editor) {
+  const Products& products = editor.updater.products();
+  if (!editor.rays.show || products.problem || !products.original.mesh) return Shown::none;
+  if (editor.cell || editor.rays.source == RaySource::pixels)
+    return products.trees ? Shown::trees : Shown::none;
+  return editor.point ? Shown::none : Shown::vertices;  // the picked vertex has its construction
 }
 
 // Where a looped animation is.
-double playTime(const Workspace& work) {
-  const double length = ViewInputMaker::animationSeconds(work), pause = 0.8;
-  if (!work.rays.loop || !(length > 0)) return work.animationSeconds;
-  return std::fmod(work.animationSeconds, length + pause);
+double playTime(const Editor& editor) {
+  const double length = ViewInputMaker::animationSeconds(editor), pause = 0.8;
+  if (!editor.rays.loop || !(length > 0)) return editor.animationSeconds;
+  return std::fmod(editor.animationSeconds, length + pause);
 }
 
 }  // namespace
 
-std::vector<Line> makeLines(const Workspace& work, const UiState& ui) {
+std::vector<Line> makeLines(const Editor& editor, const UiState& ui) {
   std::vector<Line> lines;
-  const Products& products = work.studio.products();
+  const Products& products = editor.updater.products();
   const Level& level = products.level;
-  if (work.display.rtCamera) {
-    const bool selected = work.selection.part == Part::eye || work.selection.part == Part::aim;
-    append(lines,
-           makeCameraLines(level.camera, selected, work.cell ? work.cell : ui.hoveredCell, work.pose.eye));
+  if (editor.display.rtCamera) {
+    const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
+    append(lines, makeCameraLines(level.camera, selected, editor.cell ? editor.cell : ui.hoveredCell,
+                                  editor.pose.eye));
   }
   // From the eye the canvas would lie over what is seen in it.
-  if (!work.lookingThrough) append(lines, makeCanvasLines(level.optic, work.selection.part == Part::mirror));
-  switch (shownRays(work)) {
+  if (!editor.lookingThrough)
+    append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
+  switch (shownRays(editor)) {
     case Shown::trees:
-      append(lines, makeTreeLines(*products.trees, work.rays, treeOf(work), playTime(work)));
+      append(lines, makeTreeLines(*products.trees, editor.rays, treeOf(editor), playTime(editor)));
       break;
     case Shown::vertices:
-      append(lines, makeVertexRayLines(level, *products.original.mesh, work.rays, playTime(work)));
+      append(lines, makeVertexRayLines(level, *products.original.mesh, editor.rays, playTime(editor)));
       break;
     case Shown::none:
       break;
   }
-  if (const auto construction = currentConstruction(work))
+  if (const auto construction = currentConstruction(editor))
     append(lines, makeConstructionLines(*construction));
   return lines;
 }
 
-double ViewInputMaker::animationSeconds(const Workspace& work) {
-  const Products& products = work.studio.products();
-  switch (shownRays(work)) {
+double ViewInputMaker::animationSeconds(const Editor& editor) {
+  const Products& products = editor.updater.products();
+  switch (shownRays(editor)) {
     case Shown::trees:
-      return treeAnimationSeconds(*products.trees, work.rays, treeOf(work));
+      return treeAnimationSeconds(*products.trees, editor.rays, treeOf(editor));
     case Shown::vertices:
-      return vertexRayAnimationSeconds(products.level, *products.original.mesh, work.rays);
+      return vertexRayAnimationSeconds(products.level, *products.original.mesh, editor.rays);
     case Shown::none:
       break;
   }
   return 0;
 }
 
-void ViewInputMaker::stepRays(Workspace& work) {
-  const int step = std::exchange(work.rayStep, 0);
-  if (step == 0 || !work.rays.show) return;
+void ViewInputMaker::stepRays(Editor& editor) {
+  const int step = std::exchange(editor.rayStep, 0);
+  if (step == 0 || !editor.rays.show) return;
   // Step by step makes sense one ray after the other only.
-  if (!work.rays.animate || !work.rays.sequential) work.animationSeconds = 0;
-  work.rays.animate = work.rays.sequential = work.animationPaused = true;
-  const Products& products = work.studio.products();
+  if (!editor.rays.animate || !editor.rays.sequential) editor.animationSeconds = 0;
+  editor.rays.animate = editor.rays.sequential = editor.animationPaused = true;
+  const Products& products = editor.updater.products();
   std::vector<double> stops{0};
-  if (shownRays(work) == Shown::trees) stops = treeAnimationStops(*products.trees, work.rays, treeOf(work));
-  if (shownRays(work) == Shown::vertices) {
-    stops = vertexRayAnimationStops(products.level, *products.original.mesh, work.rays);
+  if (shownRays(editor) == Shown::trees)
+    stops = treeAnimationStops(*products.trees, editor.rays, treeOf(editor));
+  if (shownRays(editor) == Shown::vertices) {
+    stops = vertexRayAnimationStops(products.level, *products.original.mesh, editor.rays);
   }
   constexpr double same = 1e-6;
-  const double now = playTime(work);
+  const double now = playTime(editor);
   if (step > 0) {
     const auto next = std::upper_bound(stops.begin(), stops.end(), now + same);
-    work.animationSeconds = next == stops.end() ? stops.back() : *next;
+    editor.animationSeconds = next == stops.end() ? stops.back() : *next;
   } else {
     const auto next = std::lower_bound(stops.begin(), stops.end(), now - same);
-    work.animationSeconds = next == stops.begin() ? 0 : *(next - 1);
+    editor.animationSeconds = next == stops.begin() ? 0 : *(next - 1);
   }
 }
 
-ViewportInput ViewInputMaker::make(Workspace& work, const UiState& ui, bool transparent) {
-  const Products& products = work.studio.products();
-  std::vector<Line> lines = makeLines(work, ui);
+ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, bool transparent) {
+  const Products& products = editor.updater.products();
+  std::vector<Line> lines = makeLines(editor, ui);
   if (!lines_ || *lines_ != lines) lines_ = std::make_shared<const std::vector<Line>>(std::move(lines));
   ViewportInput input;
-  input.width = work.viewWidth;
-  input.height = work.viewHeight;
-  input.pose = work.pose;
+  input.width = editor.viewWidth;
+  input.height = editor.viewHeight;
+  input.pose = editor.pose;
   input.level = products.level;
   input.original = products.original;
-  input.sculpture = shownSculpture(work);
-  input.display = work.display;
+  input.sculpture = shownSculpture(editor);
+  input.display = editor.display;
   if (!input.display.background) input.display.background = skyOf(ui.preferences.theme);
-  if (work.lookingThrough && !work.flight) {
+  if (editor.lookingThrough && !editor.flight) {
     input.display.rtCamera = false;
     // The ghost would lie exactly over its own reflection.
     if (input.display.originalLook == OriginalLook::ghost) input.display.originalLook = OriginalLook::hidden;
   }
-  input.selection = work.selection;
+  input.selection = editor.selection;
   input.lines = lines_;
   input.screen = products.screen;
   input.lineScale = ui.scale * (ui.preferences.theme == Theme::projector ? 1.6 : 1);

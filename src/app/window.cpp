@@ -16,7 +16,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
-#include "app/desk.h"
+#include "app/gui.h"
 #include "app/key_taps.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
@@ -133,23 +133,23 @@ class MainWindow {
     glfwMakeContextCurrent(handle_.get());
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
-    desk_ = std::make_unique<Desk>(preferences, [] { glfwPostEmptyEvent(); });
+    gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
-    files_ = std::make_unique<WindowFiles>(stateFolder(), *desk_);
+    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_);
     std::string broken;
     savedProgress_ = loadProgress(progressPath(), broken);
-    desk_->work().progress = savedProgress_;
-    desk_->open(options.level);
-    if (!options.model.empty()) importOriginal(desk_->work(), options.model);
-    if (!broken.empty()) desk_->work().message = broken;
+    gui_->editor().progress = savedProgress_;
+    gui_->open(options.level);
+    if (!options.model.empty()) importOriginal(gui_->editor(), options.model);
+    if (!broken.empty()) gui_->editor().message = broken;
     start(options);
     if (options.fullscreen) toggleFullscreen();
   }
   ~MainWindow() {
     ImGui_ImplGlfw_Shutdown();
     files_.reset();
-    desk_.reset();  // while the context lives
+    gui_.reset();  // while the context lives
   }
   MainWindow(const MainWindow&) = delete;
   MainWindow& operator=(const MainWindow&) = delete;
@@ -161,7 +161,7 @@ class MainWindow {
       glfwGetFramebufferSize(handle_.get(), &width, &height);
       if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
         // The question about unsaved changes has to be seen.
-        if (desk_->ui().requests.quit) glfwRestoreWindow(handle_.get());
+        if (gui_->ui().requests.quit) glfwRestoreWindow(handle_.get());
         waitUnseen();
         continue;
       }
@@ -170,7 +170,7 @@ class MainWindow {
     keepPreferences();
   }
 
-  const Preferences& preferences() { return desk_->ui().preferences; }
+  const Preferences& preferences() { return gui_->ui().preferences; }
 
  private:
   // Nothing is drawn, but what is not saved has to be kept.
@@ -184,13 +184,13 @@ class MainWindow {
   // Events come at once; without any the next frame is drawn when something is unfinished or due.
   void waitForWork() {
     const double now = glfwGetTime();
-    if (desk_->unfinished()) {
+    if (gui_->unfinished()) {
       const bool onlyWorker =
-          desk_->viewComplete() && !isMoving(desk_->work()) && now - lastEvent_ > livelySeconds;
+          gui_->viewComplete() && !isMoving(gui_->editor()) && now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
-      return glfwWaitEventsTimeout(desk_->work().studio.secondsUntilDue().value_or(0.1) + 0.01);
+      return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);
     }
-    if (desk_->isPlaying()) return glfwWaitEventsTimeout(playingStep);
+    if (gui_->isPlaying()) return glfwWaitEventsTimeout(playingStep);
     if (framesOwed_ > 0) {
       --framesOwed_;
       return glfwPollEvents();
@@ -205,21 +205,21 @@ class MainWindow {
     lastFrame_ = now;
     float scaleX = 1, scaleY = 1;
     glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
-    desk_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
+    gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
     ImGui_ImplGlfw_NewFrame();
-    desk_->frame(seconds);
+    gui_->frame(seconds);
     for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {
       ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
     }
     glfwSwapBuffers(handle_.get());
     files_->update(now);
-    stateLog_.add(*desk_);
+    stateLog_.add(*gui_);
     serveRequests();
     showTitle();
   }
 
   void serveRequests() {
-    UiRequests& requests = desk_->ui().requests;
+    UiRequests& requests = gui_->ui().requests;
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
     // A large picture takes a while in which nothing else is drawn, so first it is said.
@@ -227,46 +227,46 @@ class MainWindow {
     saidShot_ = std::exchange(requests.shot, std::nullopt);
     if (saidShot_) say(tr("The picture is being drawn..."));
     keepProgress();
-    if (!(desk_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
+    if (!(gui_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
   }
 
   void start(const WindowOptions& options) {
-    Workspace& work = desk_->work();
-    advanceLesson(work);  // takes the lesson up
-    if (options.step > 0) openStep(work, options.step - 1);
-    if (options.present) perform(Action::present, work, desk_->ui());
-    if (options.tour && !options.present && !desk_->ui().preferences.tourSeen) {
-      perform(Action::tour, work, desk_->ui());
+    Editor& editor = gui_->editor();
+    advanceLesson(editor);  // takes the lesson up
+    if (options.step > 0) openStep(editor, options.step - 1);
+    if (options.present) perform(Action::present, editor, gui_->ui());
+    if (options.tour && !options.present && !gui_->ui().preferences.tourSeen) {
+      perform(Action::tour, editor, gui_->ui());
     }
   }
 
   void keepProgress() {
-    if (desk_->work().progress == savedProgress_) return;
-    savedProgress_ = desk_->work().progress;
+    if (gui_->editor().progress == savedProgress_) return;
+    savedProgress_ = gui_->editor().progress;
     try {
       saveProgress(progressPath(), savedProgress_);
     } catch (const Error& error) {
-      desk_->work().message = error.what();
+      gui_->editor().message = error.what();
     }
   }
 
   void keepPreferences() {
-    if (desk_->ui().preferences == saved_) return;
-    saved_ = desk_->ui().preferences;
+    if (gui_->ui().preferences == saved_) return;
+    saved_ = gui_->ui().preferences;
     try {
       savePreferences(preferencesPath(), saved_);
     } catch (const Error& error) {
-      desk_->work().message = error.what();
+      gui_->editor().message = error.what();
     }
   }
 
   // In the window that asked, or in the status line.
   void say(const std::string& text) {
-    ExportDialog& dialog = desk_->ui().exporting;
+    ExportDialog& dialog = gui_->ui().exporting;
     if (dialog.open) {
       dialog.say(text);
     } else {
-      desk_->work().message = text;
+      gui_->editor().message = text;
     }
     wakeUp();
   }
@@ -274,9 +274,9 @@ class MainWindow {
   void takePicture(const ShotRequest& request) {
     try {
       const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
-      savePng(path, takeShot(*desk_, request));
+      savePng(path, takeShot(*gui_, request));
       say(fmt::format(fmt::runtime(tr("Written: {}")), path.string()));
-      if (!request.path.empty()) ++desk_->work().exported;
+      if (!request.path.empty()) ++gui_->editor().exported;
     } catch (const Error& error) {
       say(error.what());
     }
@@ -296,7 +296,7 @@ class MainWindow {
   }
 
   void showTitle() {
-    const std::string title = windowTitle(desk_->work().session);
+    const std::string title = windowTitle(gui_->editor().session);
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(handle_.get(), title.c_str());
@@ -321,9 +321,9 @@ class MainWindow {
       if (action == GLFW_RELEASE && self.keyTaps_.waits({key, code, modifiers})) return;
       ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
-        self.desk_->key(keyByItsCap(key, code),
-                        modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER),
-                        action == GLFW_REPEAT);
+        self.gui_->key(keyByItsCap(key, code),
+                       modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER),
+                       action == GLFW_REPEAT);
       }
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
@@ -348,12 +348,12 @@ class MainWindow {
       of(w).wakeUp();
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-      of(w).desk_->drop({paths, paths + count});
+      of(w).gui_->drop({paths, paths + count});
       of(w).wakeUp();
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
       glfwSetWindowShouldClose(w, GLFW_FALSE);  // there may be something to save first
-      of(w).desk_->ui().requests.quit = true;
+      of(w).gui_->ui().requests.quit = true;
       of(w).wakeUp();
     });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).wakeUp(); });
@@ -364,7 +364,7 @@ class MainWindow {
   WindowHandle handle_;
   Preferences saved_;
   LessonProgress savedProgress_;
-  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<Gui> gui_;
   std::unique_ptr<WindowFiles> files_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen

@@ -10,9 +10,9 @@
 
 namespace anamorph {
 
-WindowFiles::WindowFiles(std::filesystem::path folder, Desk& desk)
-    : folder_(std::move(folder)), desk_(desk), autosave_(folder_), rescued_(findRescued(folder_)) {
-  UiState& ui = desk_.ui();
+WindowFiles::WindowFiles(std::filesystem::path folder, Gui& gui)
+    : folder_(std::move(folder)), gui_(gui), autosave_(folder_), rescued_(findRescued(folder_)) {
+  UiState& ui = gui_.ui();
   for (const Rescued& rescued : rescued_) ui.recoveries.push_back(rescued.entry);
   while (ui.recoverySelected + 1 < rescued_.size() && !rescued_[ui.recoverySelected].entry.problem.empty()) {
     ++ui.recoverySelected;
@@ -23,24 +23,24 @@ WindowFiles::WindowFiles(std::filesystem::path folder, Desk& desk)
 }
 
 void WindowFiles::update(double now) {
-  if (const auto given = std::exchange(desk_.ui().requests.recovery, std::nullopt)) answer(*given);
-  Workspace& work = desk_.work();
-  for (const auto& failure : {autosave_.update(work.session, now), autosave_.keepLeft(work.leftLevels)}) {
+  if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given);
+  Editor& editor = gui_.editor();
+  for (const auto& failure : {autosave_.update(editor.session, now), autosave_.keepLeft(editor.leftLevels)}) {
     if (failure)
-      work.message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
+      editor.message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
   }
   keepRecent();
 }
 
 void WindowFiles::answer(const RecoveryAnswer& answer) {
-  std::vector<RecoveryEntry>& offered = desk_.ui().recoveries;
+  std::vector<RecoveryEntry>& offered = gui_.ui().recoveries;
   if (answer.index >= rescued_.size()) return;
   bool more = false;
   if (answer.kind == RecoveryAnswer::Kind::discard) {
     rescued_[answer.index].remove();
     more = rescued_.size() > 1;
   } else if (answer.kind == RecoveryAnswer::Kind::restore && !restore(rescued_[answer.index])) {
-    offered[answer.index].problem = desk_.work().message;
+    offered[answer.index].problem = gui_.editor().message;
     return;
   }
   if (answer.kind != RecoveryAnswer::Kind::later) {
@@ -55,27 +55,27 @@ void WindowFiles::answer(const RecoveryAnswer& answer) {
 
 // It is kept anew before the old file goes.
 bool WindowFiles::restore(Rescued& rescued) {
-  Workspace& work = desk_.work();
+  Editor& editor = gui_.editor();
   try {
-    work.session.recover(rescued.levelPath, rescued.level, rescued.fileTime);
-    lookAfresh(work);
-    autosave_.writeNow(work.session);
+    editor.session.recover(rescued.levelPath, rescued.level, rescued.fileTime);
+    lookAfresh(editor);
+    autosave_.writeNow(editor.session);
     rescued.remove();
-    work.message = tr("Restored. It is not saved yet.");
+    editor.message = tr("Restored. It is not saved yet.");
     return true;
   } catch (const Error& error) {
-    work.message = error.what();
+    editor.message = error.what();
     return false;
   }
 }
 
 void WindowFiles::keepRecent() {
-  UiState& ui = desk_.ui();
+  UiState& ui = gui_.ui();
   if (ui.recentLevels == keptLevels_ && ui.recentFolders == keptFolders_) return;
   try {
     saveRecent(folder_, ui);
   } catch (const Error& error) {
-    desk_.work().message = error.what();
+    gui_.editor().message = error.what();
   }
   keptLevels_ = ui.recentLevels;
   keptFolders_ = ui.recentFolders;

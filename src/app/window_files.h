@@ -1,5 +1,5 @@
 // What a window keeps on disk besides levels: unsaved changes, recent files; and the offer to restore what an
-// earlier window could not save. The desk knows nothing of it, so screenshots and benchmarks leave no traces.
+// earlier window could not save. The GUI knows nothing of it, so screenshots and benchmarks leave no traces.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "app/autosave.h"
-#include "app/desk.h"
+#include "app/gui.h"
 
 namespace anamorph {
 
 class WindowFiles {
  public:
-  /// `folder`: where state is kept (state_folder.h). Offers what is found there to the desk.
-  WindowFiles(std::filesystem::path folder, Desk& desk);
+  /// `folder`: where state is kept (state_folder.h). Offers what is found there to the GUI.
+  WindowFiles(std::filesystem::path folder, Gui& gui);
 
   /// After every frame; `now` in seconds.
   void update(double now);
@@ -27,7 +27,7 @@ class WindowFiles {
   void keepRecent();
 
   std::filesystem::path folder_;
-  Desk& desk_;
+  Gui& gui_;
   Autosave autosave_;
   std::vector<Rescued> rescued_;
   std::vector<std::filesystem::path> keptLevels_, keptFolders_;

@@ -18,12 +18,13 @@ class CancelToken {
 };
 
 struct Progress {
-  std::function<void(double)> report;  ///< called with a share in 0..1, from one thread at a time; may be empty
+  std::function<void(double)>
+      report;  ///< called with a share in 0..1, from one thread at a time; may be empty
   CancelToken token;
 
   /// Reports and returns whether to go on.
-  bool update(double share) const {
-    if (report) report(share);
+  bool update(double fraction) const {
+    if (report) report(fraction);
     return !token.cancelled();
   }
   bool cancelled() const { return token.cancelled(); }
@@ -33,7 +34,9 @@ struct Progress {
 inline Progress partOf(const Progress& whole, double from, double to) {
   Progress part{{}, whole.token};
   if (whole.report) {
-    part.report = [report = whole.report, from, to](double share) { report(from + share * (to - from)); };
+    part.report = [report = whole.report, from, to](double fraction) {
+      report(from + fraction * (to - from));
+    };
   }
   return part;
 }

@@ -90,7 +90,7 @@ double secondsNow() {
 ProgressBar::ProgressBar(const CommonOptions& options, std::string what)
     : what_(std::move(what)), startSeconds_(secondsNow()) {
   if (!options.quiet && isatty(fileno(stderr)) != 0) {
-    progress_.report = [this](double share) { draw(share); };
+    progress_.report = [this](double fraction) { draw(fraction); };
   }
 }
 
@@ -98,12 +98,12 @@ ProgressBar::~ProgressBar() {
   if (drawn_) fmt::print(stderr, "\r{:60}\r", "");
 }
 
-void ProgressBar::draw(double share) {
+void ProgressBar::draw(double fraction) {
   const double now = secondsNow();
   if (now - startSeconds_ < 1 || now - drawnSeconds_ < 0.1) return;
   constexpr int width = 30;
-  const int filled = static_cast<int>(share * width);
-  fmt::print(stderr, "\r{} [{:#<{}}{:<{}}] {:3.0f} %", what_, "", filled, "", width - filled, 100 * share);
+  const int filled = static_cast<int>(fraction * width);
+  fmt::print(stderr, "\r{} [{:#<{}}{:<{}}] {:3.0f} %", what_, "", filled, "", width - filled, 100 * fraction);
   drawnSeconds_ = now;
   drawn_ = true;
 }

@@ -46,7 +46,7 @@ class ProgressBar {
   const Progress& progress() const { return progress_; }
 
  private:
-  void draw(double share);
+  void draw(double fraction);
 
   std::string what_;
   double startSeconds_;

@@ -27,12 +27,12 @@ std::string angleText(double angleDegrees) {
 }
 
 // From direction `from` to `to` (unit), turned at an even speed in their plane.
-Direction turned(const Direction& from, const Direction& to, double share) {
+Direction turned(const Direction& from, const Direction& to, double fraction) {
   const double angle = std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to));
   const Vector side = to - glm::dot(to, from) * from;
   const double sine = glm::length(side);
   if (!(sine > 1e-12)) return from;
-  return std::cos(share * angle) * from + (std::sin(share * angle) / sine) * side;
+  return std::cos(fraction * angle) * from + (std::sin(fraction * angle) / sine) * side;
 }
 
 ConstructionArc makeArc(const Point& centre, double radius, const Direction& from, const Direction& to,
@@ -126,7 +126,7 @@ void addSightRows(Construction& made, double depthScale) {
   if (ray.status == PathStatus::mapped) made.rows.push_back({"S = Q + k (P - Q)", pointText(ray.sculpture)});
 }
 
-void addRows(Construction& made, bool meetsMirror, double depthScale) {
+void addRows(Construction& made, bool hitsMirror, double depthScale) {
   const VertexRay& ray = made.ray;
   const auto add = [&](const char* name, std::string value) {
     made.rows.push_back({name, std::move(value)});
@@ -134,11 +134,11 @@ void addRows(Construction& made, bool meetsMirror, double depthScale) {
   const auto addLength = [&](const char* name, double length) { add(name, fmt::format("{:.3f}", length)); };
   add("E  eye", pointText(ray.eye));
   add("P  original vertex", pointText(ray.original));
-  if (meetsMirror) {
+  if (hitsMirror) {
     add("Q  mirror point", pointText(ray.mirror));
     add("N  normal at Q", directionText(ray.normal));
   }
-  if (meetsMirror && ray.status != PathStatus::inFrontOfMirror) {
+  if (hitsMirror && ray.status != PathStatus::inFrontOfMirror) {
     if (anglesAreEqual(ray)) {
       add("α  both angles", angleText(ray.angleDegrees));
     } else {
@@ -162,19 +162,19 @@ Construction makeConstruction(const Optic& optic, const Point& eye, const Point&
   Construction made;
   made.ray = makeVertexRay(optic, eye, original, depthScale, mistakes);
   const VertexRay& ray = made.ray;
-  const bool meetsMirror = lengthSquared(ray.normal) > 0.5 && isFinite(ray.mirror) && isFinite(ray.reflected);
+  const bool hitsMirror = lengthSquared(ray.normal) > 0.5 && isFinite(ray.mirror) && isFinite(ray.reflected);
   made.points = {{eye, "E"}, {original, "P"}};
   const bool passes = optic.kind == OpticKind::none;
-  if (meetsMirror && passes) {
+  if (hitsMirror && passes) {
     addSight(made, depthScale);
     addSightRows(made, depthScale);
   } else {
-    if (meetsMirror) {
+    if (hitsMirror) {
       addMirrorPoint(made, optic, depthScale);
     } else {
       made.segments.push_back({eye, original, Kind::incident});
     }
-    addRows(made, meetsMirror, depthScale);
+    addRows(made, hitsMirror, depthScale);
   }
   if (ray.status != PathStatus::mapped) {
     made.explanation = explainStatus(ray.status) + std::string(".");

@@ -38,7 +38,7 @@ class EditJob {
 
   bool busy() const { return started_.has_value(); }
   /// How far it is, 0..1.
-  double share() const { return worker_.share(); }
+  double fraction() const { return worker_.fraction(); }
   const std::string& name() const { return name_; }
 
  private:

@@ -56,10 +56,10 @@ Level GizmoDrag::levelAt(const Pixel& pixel, const DragKeys& keys) {
     const auto measured = measure(pixel);
     if (measured && isFinite(*measured)) last_ = *measured;
   }
-  if (keys.fine) slowed_ += (1 - fineShare) * (last_ - before);
+  if (keys.fine) slowed_ += (1 - fineFraction) * (last_ - before);
   const Vector value = last_ - slowed_;
   const bool unmoved = value == Vector(0);  // then nothing snaps either
-  const double snap = keys.snap && !unmoved ? (keys.fine ? fineShare : 1.0) : 0.0;
+  const double snap = keys.snap && !unmoved ? (keys.fine ? fineFraction : 1.0) : 0.0;
   switch (start_.mode) {
     case GizmoMode::move:
       return applyMove(value, snap * snapLength);

@@ -19,7 +19,7 @@
 namespace anamorph {
 
 constexpr double snapLength = 0.25, snapAngleDegrees = 15, snapFactor = 0.1;
-constexpr double fineShare = 0.1;  ///< of the mouse's motion, and of the snapping, while it is fine
+constexpr double fineFraction = 0.1;  ///< of the mouse's motion, and of the snapping, while it is fine
 
 struct GizmoDragStart {
   Level level;

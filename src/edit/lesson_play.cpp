@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "edit/editor.h"
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
 #include "edit/replacements.h"
-#include "edit/workspace.h"
 #include "level/level_fields.h"
 
 namespace anamorph {
@@ -30,10 +30,10 @@ double eased(double t) {
 }
 
 // The level so far into the move, 0..1.
-Level levelAt(const StepMove& move, const Level& from, double share) {
+Level levelAt(const StepMove& move, const Level& from, double fraction) {
   Level level = from;
   const auto towards = [&](auto& value, const auto& goal) {
-    if (goal) value = share >= 1 ? *goal : glm::mix(value, *goal, eased(share));
+    if (goal) value = fraction >= 1 ? *goal : glm::mix(value, *goal, eased(fraction));
   };
   towards(level.camera.eye, move.eye);
   towards(level.original.placement.position, move.original);
@@ -41,18 +41,18 @@ Level levelAt(const StepMove& move, const Level& from, double share) {
   towards(level.camera.fovDegrees, move.fovDegrees);
   if (move.mirror) {
     const Vector way = *move.mirror - middleOf(from.optic.shape);
-    level = moved(level, {Part::mirror}, (share >= 1 ? 1 : eased(share)) * way);
+    level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
   }
   return level;
 }
 
 // To the place in the morph, and from there to the sculpture again.
-double morphAt(const StepPlay& play, double share) {
+double morphAt(const StepPlay& play, double fraction) {
   const double goal = *play.move.morph;
-  if (share >= 1) return 1;
-  if (goal == 1) return glm::mix(play.morphFrom, 1.0, eased(share));
-  return share < 0.5 ? glm::mix(play.morphFrom, goal, eased(2 * share))
-                     : glm::mix(goal, 1.0, eased(2 * share - 1));
+  if (fraction >= 1) return 1;
+  if (goal == 1) return glm::mix(play.morphFrom, 1.0, eased(fraction));
+  return fraction < 0.5 ? glm::mix(play.morphFrom, goal, eased(2 * fraction))
+                        : glm::mix(goal, 1.0, eased(2 * fraction - 1));
 }
 
 double durationOf(const StepPlay& play) {
@@ -60,10 +60,10 @@ double durationOf(const StepPlay& play) {
 }
 
 // What cannot be half done is done at once.
-Level begun(const StepMove& move, const Workspace& work) {
-  Level level = work.session.level();
+Level begun(const StepMove& move, const Editor& editor) {
+  Level level = editor.session.level();
   if (!move.shape.empty()) {
-    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), originalBox(work));
+    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), originalBox(editor));
   }
   if (!move.mirrorKind.empty()) {
     level.optic.shape =
@@ -77,71 +77,71 @@ Level begun(const StepMove& move, const Workspace& work) {
   return level;
 }
 
-void playView(Workspace& work, const StepMove& move) {
+void playView(Editor& editor, const StepMove& move) {
   if (move.viewEye || move.viewTarget) {
-    ViewPose pose = work.pose;
+    ViewPose pose = editor.pose;
     pose.eye = move.viewEye.value_or(pose.eye);
     pose.target = move.viewTarget.value_or(pose.target);
     pose.up = {0, 0, 1};
-    flyTo(work, pose);
+    flyTo(editor, pose);
   }
-  if (move.lookThrough && !work.lookingThrough) toggleLookThrough(work);
+  if (move.lookThrough && !editor.lookingThrough) toggleLookThrough(editor);
   if (!move.preview.empty()) {
-    work.preview.tab = static_cast<PreviewTab>(numberOf(previewTabs, move.preview));
+    editor.preview.tab = static_cast<PreviewTab>(numberOf(previewTabs, move.preview));
   }
   if (!move.rays.empty()) {
-    work.rays.show = true;
-    work.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;
+    editor.rays.show = true;
+    editor.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;
   }
   if (move.animate) {
-    work.rays.show = work.rays.animate = true;
-    work.animationPaused = false;
-    work.animationSeconds = 0;
+    editor.rays.show = editor.rays.animate = true;
+    editor.animationPaused = false;
+    editor.animationSeconds = 0;
   }
-  if (move.wireframe) work.display.wireframe = true;
-  if (move.vertex && work.studio.products().original.mesh) {
-    work.point =
-        pickedVertex(*work.studio.products().original.mesh, static_cast<std::uint32_t>(*move.vertex));
+  if (move.wireframe) editor.display.wireframe = true;
+  if (move.vertex && editor.updater.products().original.mesh) {
+    editor.point =
+        pickedVertex(*editor.updater.products().original.mesh, static_cast<std::uint32_t>(*move.vertex));
   }
-  if (move.pixel) work.cell = GridCell{(*move.pixel)[0], (*move.pixel)[1]};
-  if (move.undo) work.session.undo();
+  if (move.pixel) editor.cell = GridCell{(*move.pixel)[0], (*move.pixel)[1]};
+  if (move.undo) editor.session.undo();
 }
 
 }  // namespace
 
-void playStep(Workspace& work) {
-  LessonRun& run = work.lesson;
+void playStep(Editor& editor) {
+  LessonRun& run = editor.lesson;
   if (run.empty() || !run.open().show.play) return;
-  finishPlay(work);
-  work.session.finishChange();
-  playView(work, *run.open().show.play);
-  run.play = StepPlay{*run.open().show.play, begun(*run.open().show.play, work), work.session.level(),
-                      work.display.morph, 0};
+  finishPlay(editor);
+  editor.session.finishChange();
+  playView(editor, *run.open().show.play);
+  run.play = StepPlay{*run.open().show.play, begun(*run.open().show.play, editor), editor.session.level(),
+                      editor.display.morph, 0};
 }
 
-bool advancePlay(Workspace& work, double seconds) {
-  std::optional<StepPlay>& play = work.lesson.play;
+bool advancePlay(Editor& editor, double seconds) {
+  std::optional<StepPlay>& play = editor.lesson.play;
   if (!play) return false;
-  if (!(work.session.level() == play->last)) {  // somebody else has taken over
+  if (!(editor.session.level() == play->last)) {  // somebody else has taken over
     play.reset();
     return true;
   }
   play->seconds += seconds;
   const double length = durationOf(*play);
-  const double share = std::min(1.0, play->seconds / length);
-  Level level = levelAt(play->move, play->from, share);
-  if (!(level == play->last)) work.session.change(level);
+  const double fraction = std::min(1.0, play->seconds / length);
+  Level level = levelAt(play->move, play->from, fraction);
+  if (!(level == play->last)) editor.session.change(level);
   play->last = std::move(level);
-  if (play->move.morph) work.display.morph = morphAt(*play, share);
-  if (share >= 1) {
-    work.session.finishChange();
+  if (play->move.morph) editor.display.morph = morphAt(*play, fraction);
+  if (fraction >= 1) {
+    editor.session.finishChange();
     play.reset();
   }
   return true;
 }
 
-void finishPlay(Workspace& work) {
-  if (work.lesson.play) advancePlay(work, durationOf(*work.lesson.play));
+void finishPlay(Editor& editor) {
+  if (editor.lesson.play) advancePlay(editor, durationOf(*editor.lesson.play));
 }
 
 }  // namespace anamorph

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "level/lesson.h"
 
 namespace anamorph {
@@ -12,8 +12,9 @@ namespace {
 constexpr double turnedDegrees = 10;
 constexpr int requiredPoints = 10, optionalPoints = 5;
 
-LessonFacts factsOf(const Workspace& work) {
-  return {work.session.level(), work.pose, work.point, work.cell, work.session.undoCount(), work.exported};
+LessonFacts factsOf(const Editor& editor) {
+  return {editor.session.level(),     editor.pose,    editor.point, editor.cell,
+          editor.session.undoCount(), editor.exported};
 }
 
 bool hasTurned(const ViewPose& from, const ViewPose& to) {
@@ -22,13 +23,13 @@ bool hasTurned(const ViewPose& from, const ViewPose& to) {
   return lengths > 0 && glm::dot(a, b) < std::cos(radians(turnedDegrees)) * lengths;
 }
 
-bool previewIs(const Workspace& work, const std::string& tab) {
-  return tab == previewTabs[static_cast<std::size_t>(work.preview.tab)];
+bool previewIs(const Editor& editor, const std::string& tab) {
+  return tab == previewTabs[static_cast<std::size_t>(editor.preview.tab)];
 }
 
-bool showsRaysOf(const Workspace& work, const std::string& source) {
-  if (!work.rays.show) return false;
-  return (work.rays.source == RaySource::pixels) == (source == "pixels");
+bool showsRaysOf(const Editor& editor, const std::string& source) {
+  if (!editor.rays.show) return false;
+  return (editor.rays.source == RaySource::pixels) == (source == "pixels");
 }
 
 bool isRight(const Mistakes& mistakes, const std::string& which) {
@@ -38,22 +39,22 @@ bool isRight(const Mistakes& mistakes, const std::string& which) {
 
 // A figure of the settled match against a limit; nothing while it is not known.
 template <typename Test>
-std::optional<bool> judged(const Workspace& work, const Test& test) {
-  const Products& products = work.studio.products();
-  if (work.session.changing() || !products.refined) return std::nullopt;
+std::optional<bool> judged(const Editor& editor, const Test& test) {
+  const Products& products = editor.updater.products();
+  if (editor.session.changing() || !products.refined) return std::nullopt;
   if (products.problem) return test(MatchReport{});
   if (!products.match) return std::nullopt;
   return test(products.match->report);
 }
 
-void beginStep(Workspace& work) {
-  LessonRun& run = work.lesson;
-  run.begin = factsOf(work);
+void beginStep(Editor& editor) {
+  LessonRun& run = editor.lesson;
+  run.begin = factsOf(editor);
   const std::size_t count = run.empty() ? 0 : run.open().done.size();
   run.wasFalse.assign(count, false);
   run.seen.assign(count, false);
   run.doneNow = false;
-  run.done = !run.empty() && isDone(run.lesson, run.open(), work.progress);
+  run.done = !run.empty() && isDone(run.lesson, run.open(), editor.progress);
 }
 
 // The first step that has not been done yet; the first of all when all have.
@@ -64,27 +65,27 @@ std::size_t whereToGoOn(const Lesson& lesson, const LessonProgress& progress) {
   return 0;
 }
 
-void takeUpLesson(Workspace& work) {
-  LessonRun& run = work.lesson;
+void takeUpLesson(Editor& editor) {
+  LessonRun& run = editor.lesson;
   run = {};
-  run.generation = work.session.generation();
-  run.text = work.session.level().lesson;
-  run.lesson = parseLesson(work.session.level().lesson, work.session.path().string());
-  run.step = whereToGoOn(run.lesson, work.progress);
-  beginStep(work);
+  run.generation = editor.session.generation();
+  run.text = editor.session.level().lesson;
+  run.lesson = parseLesson(editor.session.level().lesson, editor.session.path().string());
+  run.step = whereToGoOn(run.lesson, editor.progress);
+  beginStep(editor);
 }
 
-void markDone(Workspace& work) {
-  LessonRun& run = work.lesson;
+void markDone(Editor& editor) {
+  LessonRun& run = editor.lesson;
   run.done = run.doneNow = true;
-  work.progress[run.lesson.id].insert(run.open().id);
+  editor.progress[run.lesson.id].insert(run.open().id);
 }
 
 }  // namespace
 
-std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Workspace& work) {
-  const Level& level = work.session.level();
-  const bool rests = !work.session.changing();
+std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor) {
+  const Level& level = editor.session.level();
+  const bool rests = !editor.session.changing();
   switch (condition.when) {
     case StepEvent::movedEye:
       return rests && !(level.camera.eye == begin.level.camera.eye);
@@ -103,80 +104,80 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
     case StepEvent::toleranceOn:
       return level.sculpture.tolerancePixels > 0;
     case StepEvent::pickedPixel:
-      return work.cell && !(work.cell == begin.cell);
+      return editor.cell && !(editor.cell == begin.cell);
     case StepEvent::pickedVertex:
-      return work.point && !(work.point == begin.point);
+      return editor.point && !(editor.point == begin.point);
     case StepEvent::viewed:
-      return previewIs(work, condition.what);
+      return previewIs(editor, condition.what);
     case StepEvent::lookedThrough:
-      return work.lookingThrough && !work.flight;
+      return editor.lookingThrough && !editor.flight;
     case StepEvent::rotatedView:
-      return !work.flight && !work.lookingThrough && hasTurned(begin.pose, work.pose);
+      return !editor.flight && !editor.lookingThrough && hasTurned(begin.pose, editor.pose);
     case StepEvent::morphed:
-      return work.display.morph < 0.5;
+      return editor.display.morph < 0.5;
     case StepEvent::raysOf:
-      return showsRaysOf(work, condition.what);
+      return showsRaysOf(editor, condition.what);
     case StepEvent::animatedRays:
-      return work.rays.show && work.rays.animate;
+      return editor.rays.show && editor.rays.animate;
     case StepEvent::wireframe:
-      return work.display.wireframe;
+      return editor.display.wireframe;
     case StepEvent::matchAbove:
-      return judged(work, [&](const MatchReport& r) { return r.silhouetteIou > condition.value; });
+      return judged(editor, [&](const MatchReport& r) { return r.silhouetteIou > condition.value; });
     case StepEvent::matchBelow:
-      return judged(work, [&](const MatchReport& r) { return r.silhouetteIou < condition.value; });
+      return judged(editor, [&](const MatchReport& r) { return r.silhouetteIou < condition.value; });
     case StepEvent::hiddenShareAbove:
-      return judged(work, [&](const MatchReport& r) { return r.hiddenShare > condition.value; });
+      return judged(editor, [&](const MatchReport& r) { return r.hiddenShare > condition.value; });
     case StepEvent::hiddenShareBelow:
       // Where nothing is seen, nothing is hidden either: that is not what is asked for.
-      return judged(work, [&](const MatchReport& r) {
+      return judged(editor, [&](const MatchReport& r) {
         return r.comparedPixels > 0 && r.hiddenShare <= condition.value;
       });
     case StepEvent::putRight:
       return rests && isRight(level.sculpture.mistakes, condition.what);
     case StepEvent::undone:
-      return work.session.undoCount() != begin.undone;
+      return editor.session.undoCount() != begin.undone;
     case StepEvent::exported:
-      return work.exported != begin.exported;
+      return editor.exported != begin.exported;
   }
   return false;
 }
 
-bool advanceLesson(Workspace& work) {
-  LessonRun& run = work.lesson;
-  if (run.generation != work.session.generation() || run.text != work.session.level().lesson) {
-    takeUpLesson(work);
+bool advanceLesson(Editor& editor) {
+  LessonRun& run = editor.lesson;
+  if (run.generation != editor.session.generation() || run.text != editor.session.level().lesson) {
+    takeUpLesson(editor);
     return true;
   }
   if (run.empty() || run.doneNow || run.open().done.empty()) return false;
   const auto& conditions = run.open().done;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const std::optional<bool> now = holds(conditions[i], run.begin, work);
+    const std::optional<bool> now = holds(conditions[i], run.begin, editor);
     if (!now) continue;
     if (*now && run.wasFalse[i]) run.seen[i] = true;
     if (!*now) run.wasFalse[i] = true;
   }
   if (!std::all_of(run.seen.begin(), run.seen.end(), [](bool seen) { return seen; })) return false;
-  markDone(work);
+  markDone(editor);
   return true;
 }
 
-void openStep(Workspace& work, std::size_t step) {
-  LessonRun& run = work.lesson;
+void openStep(Editor& editor, std::size_t step) {
+  LessonRun& run = editor.lesson;
   if (run.empty()) return;
-  finishPlay(work);
+  finishPlay(editor);
   run.step = std::min(step, run.lesson.steps.size() - 1);
-  beginStep(work);
+  beginStep(editor);
 }
 
-void nextStep(Workspace& work) {
-  LessonRun& run = work.lesson;
+void nextStep(Editor& editor) {
+  LessonRun& run = editor.lesson;
   if (run.empty()) return;
-  if (run.open().done.empty()) markDone(work);
-  if (run.step + 1 < run.lesson.steps.size()) openStep(work, run.step + 1);
+  if (run.open().done.empty()) markDone(editor);
+  if (run.step + 1 < run.lesson.steps.size()) openStep(editor, run.step + 1);
 }
 
-void previousStep(Workspace& work) {
-  if (work.lesson.step > 0) openStep(work, work.lesson.step - 1);
+void previousStep(Editor& editor) {
+  if (editor.lesson.step > 0) openStep(editor, editor.lesson.step - 1);
 }
 
 LessonScore scoreOf(const Lesson& lesson, const LessonProgress& progress) {

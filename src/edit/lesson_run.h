@@ -1,5 +1,5 @@
 // A lesson being worked through: which step is open, what of its conditions has been observed, and the move
-// that "show me" makes. Nothing reports to the lesson: every frame it looks at the workspace and compares it
+// that "show me" makes. Nothing reports to the lesson: every frame it looks at the editor and compares it
 // with what was there when the step was opened.
 //
 //   openStep()  ---------------- frames ---------------->  done
@@ -20,7 +20,7 @@
 
 namespace anamorph {
 
-struct Workspace;
+struct Editor;
 
 /// What the conditions look at.
 struct LessonFacts {
@@ -61,17 +61,17 @@ struct LessonRun {
 };
 
 /// Whether a condition holds now; nothing while that is not known, because the match is being measured.
-std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Workspace& work);
+std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor);
 
 /// Takes up the lesson of another level when one was opened, and looks at the open step's conditions. Returns
 /// whether something that is shown changed.
-bool advanceLesson(Workspace& work);
+bool advanceLesson(Editor& editor);
 
 /// Opens a step; further than the last is the last.
-void openStep(Workspace& work, std::size_t step);
+void openStep(Editor& editor, std::size_t step);
 /// To the next step; one that is only read is done by it.
-void nextStep(Workspace& work);
-void previousStep(Workspace& work);
+void nextStep(Editor& editor);
+void previousStep(Editor& editor);
 
 /// A lesson in figures. Every step that is not optional gives 10 points, optional ones 5.
 struct LessonScore {
@@ -84,11 +84,11 @@ bool isDone(const Lesson& lesson, const LessonStep& step, const LessonProgress& 
 
 /// Begins the open step's move, which takes a second or two; nothing when it has none. The level's part of it
 /// is one step of the history.
-void playStep(Workspace& work);
+void playStep(Editor& editor);
 /// The move to its end at once.
-void finishPlay(Workspace& work);
+void finishPlay(Editor& editor);
 
 /// Goes on by `seconds`; for advance().
-bool advancePlay(Workspace& work, double seconds);
+bool advancePlay(Editor& editor, double seconds);
 
 }  // namespace anamorph

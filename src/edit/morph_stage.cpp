@@ -5,10 +5,10 @@
 
 namespace anamorph {
 
-PreparedSculpture MorphStage::at(double share, const Level& level, const PreparedSculpture& sculpture,
+PreparedSculpture MorphStage::at(double fraction, const Level& level, const PreparedSculpture& sculpture,
                                  int threads) {
-  if (share >= 1 || !sculpture.sculpture || sculpture.sculpture->mesh.triangles.empty()) return sculpture;
-  return memo_.get({share, level.optic, level.camera.eye, sculpture},
+  if (fraction >= 1 || !sculpture.sculpture || sculpture.sculpture->mesh.triangles.empty()) return sculpture;
+  return memo_.get({fraction, level.optic, level.camera.eye, sculpture},
                    [&](const Input& input) { return make(input, threads); });
 }
 
@@ -24,7 +24,7 @@ PreparedSculpture MorphStage::make(const Input& input, int threads) {
   sculpture.original = goal.original;
   sculpture.status = goal.status;
   sculpture.originalStatus = goal.originalStatus;
-  sculpture.mesh.positions = morphPoints(goal, input.optic, input.eye, input.share, threads);
+  sculpture.mesh.positions = morphPoints(goal, input.optic, input.eye, input.fraction, threads);
   const Mesh& mesh = sculpture.mesh;
   moving->normals = computeNormals(mesh.positions, mesh.triangles, *prepared.normalGroups, threads);
   moving->bvh.refit(mesh.positions, threads, absentPoints(sculpture.status));

@@ -11,11 +11,11 @@ namespace anamorph {
 class MorphStage {
  public:
   /// `share` as for morphPoints; 1 is the sculpture itself.
-  PreparedSculpture at(double share, const Level& level, const PreparedSculpture& sculpture, int threads);
+  PreparedSculpture at(double fraction, const Level& level, const PreparedSculpture& sculpture, int threads);
 
  private:
   struct Input {
-    double share;
+    double fraction;
     Optic optic;
     Point eye;
     PreparedSculpture sculpture;

@@ -31,20 +31,20 @@ Frame levelFrame(const Heading& heading) {
   return {right, s * ahead + Vector(0, 0, c), c * ahead - Vector(0, 0, s)};
 }
 
-Frame between(const ViewPose& from, const ViewPose& goal, double share) {
+Frame between(const ViewPose& from, const ViewPose& goal, double fraction) {
   const Frame a = frameOf(from), b = frameOf(goal);
   if (isLevel(from) && isLevel(goal)) {
     const Heading start = headingOf(a), end = headingOf(b);
     const double turn = std::remainder(end.azimuth - start.azimuth, 2 * pi);
-    return levelFrame({start.azimuth + share * turn, glm::mix(start.pitch, end.pitch, share)});
+    return levelFrame({start.azimuth + fraction * turn, glm::mix(start.pitch, end.pitch, fraction)});
   }
-  const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::slerp(rotationOf(a), rotationOf(b), share)));
+  const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::slerp(rotationOf(a), rotationOf(b), fraction)));
   return {axes[0], axes[2], axes[1]};
 }
 
-double mixedFov(double from, double goal, double share) {
+double mixedFov(double from, double goal, double fraction) {
   const auto tangent = [](double angle) { return std::tan(radians(angle) / 2); };
-  return degrees(2 * std::atan(glm::mix(tangent(from), tangent(goal), share)));
+  return degrees(2 * std::atan(glm::mix(tangent(from), tangent(goal), fraction)));
 }
 
 }  // namespace
@@ -52,16 +52,16 @@ double mixedFov(double from, double goal, double share) {
 ViewPose PoseFlight::poseAt(double seconds) const {
   if (endedAt(seconds)) return goal;
   if (!(seconds > 0)) return from;
-  const double time = seconds / duration, share = time * time * (3 - 2 * time);
+  const double time = seconds / duration, fraction = time * time * (3 - 2 * time);
   const ViewPose start = soundPose(from), end = soundPose(goal);
-  const Frame frame = between(start, end, share);
+  const Frame frame = between(start, end, fraction);
   const double startDistance = glm::length(start.eye - start.target),
                endDistance = glm::length(end.eye - end.target);
   ViewPose pose = end;
-  pose.target = glm::mix(start.target, end.target, share);
-  pose.eye = pose.target - startDistance * std::pow(endDistance / startDistance, share) * frame.forward;
+  pose.target = glm::mix(start.target, end.target, fraction);
+  pose.eye = pose.target - startDistance * std::pow(endDistance / startDistance, fraction) * frame.forward;
   pose.up = frame.up;
-  pose.fovDegrees = mixedFov(start.fovDegrees, end.fovDegrees, share);
+  pose.fovDegrees = mixedFov(start.fovDegrees, end.fovDegrees, fraction);
   return pose;
 }
 

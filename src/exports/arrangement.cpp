@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exports/printable.h"
-#include "pipeline/settle.h"
+#include "pipeline/evaluator.h"
 
 namespace anamorph {
 namespace {
@@ -98,7 +98,7 @@ std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray) {
   return sight;
 }
 
-double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
+double fractionHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
   if (!arrangement.plate) return 0;
   constexpr int size = 160;  // pixels
   const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };

@@ -45,7 +45,7 @@ Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPer
 
 /// The share of the image's pixels with a reflection of the sculpture that the base plate hides, seen by the
 /// RT camera: it stands before the mirror, or between mirror and sculpture. 0 without a plate.
-double shareHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement);
+double fractionHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement);
 
 /// How the eye sees the sculpture along a ray: by way of the mirror, or straight.
 struct Sight {

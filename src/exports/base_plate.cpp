@@ -23,7 +23,7 @@ constexpr int candidates = 32;  // along each side of the footprint's box
 constexpr std::size_t maxPosts = 4;
 constexpr double overlapMillimetres = 0.5;  // that shells reach into each other
 constexpr double letInMillimetres = 0.2;    // a lower rim around a sculpture on the table hides less
-constexpr double postShare = 0.025;         // radius, of the sculpture's diagonal
+constexpr double postFraction = 0.025;      // radius, of the sculpture's diagonal
 constexpr double minPostRadius = 1, maxPostRadius = 4;
 
 double turn(const Point2& a, const Point2& b, const Point2& c) {
@@ -173,7 +173,7 @@ bool meet(const Mesh& a, const Mesh& b) {
 
 // Narrower posts where there is little place.
 void addPosts(const Underside& underside, BasePlate& plate) {
-  double radius = std::clamp(postShare * underside.box().diagonal(), minPostRadius, maxPostRadius);
+  double radius = std::clamp(postFraction * underside.box().diagonal(), minPostRadius, maxPostRadius);
   std::vector<Point2> places;
   for (int i = 0; i < 3 && places.empty(); ++i) {
     plate.postRadius = radius;

@@ -15,7 +15,7 @@
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "geometry/mesh_files.h"
-#include "pipeline/settle.h"
+#include "pipeline/evaluator.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -40,7 +40,7 @@ void checkEnding(const ExportRequest& request) {
 std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
   if (!arrangement.plate) return warnings;
-  const double hidden = shareHiddenByPlate(finished, arrangement);
+  const double hidden = fractionHiddenByPlate(finished, arrangement);
   if (hidden > hiddenWorthSaying) {
     warnings.push_back(
         fmt::format(fmt::runtime(tr("the base plate hides {:.1f} % of the reflection: it stands between the "

@@ -83,8 +83,8 @@ struct DrawItem {
     cairo_translate(context, text.at.x, text.at.y);
     if (text.upwards) cairo_rotate(context, -pi / 2);
     const double width = advanceOf(context, text.text);
-    const double share = text.align == TextAlign::left ? 0 : text.align == TextAlign::centre ? 0.5 : 1;
-    cairo_move_to(context, -share * width, 0);
+    const double fraction = text.align == TextAlign::left ? 0 : text.align == TextAlign::centre ? 0.5 : 1;
+    cairo_move_to(context, -fraction * width, 0);
     cairo_show_text(context, text.text.c_str());
     cairo_restore(context);
   }

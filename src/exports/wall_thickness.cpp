@@ -11,7 +11,7 @@ namespace anamorph {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double liftShare = 1e-7;     // of the size, to be off the surface one stands on
+constexpr double liftFraction = 1e-7;  // of the size, to be off the surface one stands on
 constexpr double leastCosine = 0.866;  // between the ray and the normal of the other side: 30 degrees
 constexpr int maxEntries = 16;         // surfaces that a ray enters on its way, of shells inside each other
 
@@ -103,7 +103,7 @@ WallThickness summarize(std::vector<Wall> walls) {
 std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, int samples, double inward,
                                           int threads, const Progress& progress) {
   if (bvh.empty() || samples <= 0) return WallThickness{};
-  const double lift = liftShare * boundingBox(mesh.positions).diagonal();
+  const double lift = liftFraction * boundingBox(mesh.positions).diagonal();
   const Sampler sampler{mesh, bvh, inward, lift, sumAreas(mesh)};
   const auto count = static_cast<std::size_t>(samples);
   constexpr std::size_t batch = 8192;

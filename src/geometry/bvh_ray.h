@@ -88,7 +88,7 @@ inline void clampToTriangle(const Ray& ray, const TriangleCorners& corners, BvhH
 }
 
 /// Where the ray meets the triangle's plane, kept within the triangle. False when that has no area.
-ANAMORPH_ALWAYS_INLINE bool meetTriangle(const Ray& ray, const TriangleCorners& corners, BvhHit& hit) {
+ANAMORPH_ALWAYS_INLINE bool intersectTriangle(const Ray& ray, const TriangleCorners& corners, BvhHit& hit) {
   const Vector ab = corners.b - corners.a, ac = corners.c - corners.a, normal = glm::cross(ab, ac);
   if (normal == Vector(0)) return false;
   const Vector toA = corners.a - ray.origin, side = glm::cross(toA, ray.direction);

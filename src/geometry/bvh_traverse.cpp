@@ -86,7 +86,7 @@ ANAMORPH_ALWAYS_INLINE bool testBlock(const BvhData& bvh, const BvhBlock& block,
       return Point(p.x, p.y, p.z);
     };
     BvhHit candidate{block.triangle[lane]};
-    if (!meetTriangle(ray, {corner(0), corner(1), corner(2)}, candidate)) continue;
+    if (!intersectTriangle(ray, {corner(0), corner(1), corner(2)}, candidate)) continue;
     if (!(candidate.t > tMin && candidate.t < tMax)) continue;
     hit = candidate;
     tMax = hit.t;

@@ -79,7 +79,7 @@ static void fields(FieldReader& at, StepCondition& condition) {
   at.choice("when", condition.when, stepEvents);
   if (takesValue(condition.when)) {
     at.need({"value"});
-    at.field("value", condition.value, shares);
+    at.field("value", condition.value, fractions);
   }
   const Names names = namesFor(condition.when);
   if (names.empty()) return;
@@ -94,7 +94,7 @@ static void fields(FieldReader& at, StepMove& move) {
   optional(at, "depthScale", move.depthScale, Range{0.01, 100});
   if (at.has("tolerance")) at.numberOrOff("tolerance", move.tolerancePixels.emplace(), Range{0.001, 1000});
   optional(at, "fovDegrees", move.fovDegrees, fieldsOfView);
-  optional(at, "morph", move.morph, shares);
+  optional(at, "morph", move.morph, fractions);
   optional(at, "viewEye", move.viewEye, coordinates);
   optional(at, "viewTarget", move.viewTarget, coordinates);
   optional(at, "vertex", move.vertex, Range{0, 1e8});

@@ -16,7 +16,7 @@ namespace anamorph {
 
 constexpr Range coordinates{-1e6, 1e6};
 constexpr Range lengths{1e-6, 1e6};
-constexpr Range shares{0, 1};
+constexpr Range fractions{0, 1};
 constexpr Range fieldsOfView{1, 170};
 
 constexpr std::array opticKinds{"mirror", "none"};
@@ -54,8 +54,8 @@ void fields(At& at, MirrorShape& shape) {
 
 template <typename At>
 void fields(At& at, MirrorLook& look) {
-  at.field("tint", look.tint, shares);
-  at.field("reflectance", look.reflectance, shares);
+  at.field("tint", look.tint, fractions);
+  at.field("reflectance", look.reflectance, fractions);
 }
 
 /// In the file, the look belongs to the optic.
@@ -86,10 +86,10 @@ void fields(At& at, Camera& camera) {
 
 template <typename At>
 void fields(At& at, Material& material) {
-  at.field("color", material.color, shares);
-  at.field("ambient", material.ambient, shares);
-  at.field("diffuse", material.diffuse, shares);
-  at.field("specular", material.specular, shares);
+  at.field("color", material.color, fractions);
+  at.field("ambient", material.ambient, fractions);
+  at.field("diffuse", material.diffuse, fractions);
+  at.field("specular", material.specular, fractions);
   at.field("shininess", material.shininess, Range{1, 1000});
 }
 
@@ -178,14 +178,14 @@ template <typename At>
 void fields(At& at, PointLight& light) {
   at.need({"position"});
   at.field("position", light.position, coordinates);
-  at.field("color", light.color, shares);
+  at.field("color", light.color, fractions);
   at.field("intensity", light.intensity, Range{0, 1000});
 }
 
 template <typename At>
 void fields(At& at, Background& background) {
-  at.field("top", background.top, shares);
-  at.field("bottom", background.bottom, shares);
+  at.field("top", background.top, fractions);
+  at.field("bottom", background.bottom, fractions);
 }
 
 template <typename At>

@@ -16,17 +16,17 @@ namespace anamorph {
 namespace {
 
 // The level so many places after the one that is open; the last and the first are followed by nothing.
-const LevelEntry* neighbour(const Workspace& work, const UiState& ui, int offset) {
+const LevelEntry* neighbour(const Editor& editor, const UiState& ui, int offset) {
   const auto current = std::find_if(ui.levels.begin(), ui.levels.end(),
-                                    [&](const LevelEntry& entry) { return isOpen(work, entry); });
+                                    [&](const LevelEntry& entry) { return isOpen(editor, entry); });
   const auto index = current - ui.levels.begin() + offset;
   if (current == ui.levels.end() || index < 0 || index >= static_cast<std::ptrdiff_t>(ui.levels.size()))
     return nullptr;
   return &ui.levels[static_cast<std::size_t>(index)];
 }
 
-void openNeighbour(const Workspace& work, UiState& ui, int offset) {
-  if (const LevelEntry* entry = neighbour(work, ui, offset)) ui.requests.open = entry->path;
+void openNeighbour(const Editor& editor, UiState& ui, int offset) {
+  if (const LevelEntry* entry = neighbour(editor, ui, offset)) ui.requests.open = entry->path;
 }
 
 // The export window by keys alone: the kind, and on to the file.
@@ -48,16 +48,16 @@ void togglePresenting(UiState& ui) {
   ui.panelsHidden = ui.presenting;
 }
 
-void setMode(Workspace& work, GizmoMode mode) {
-  work.gizmoMode = mode;
+void setMode(Editor& editor, GizmoMode mode) {
+  editor.gizmoMode = mode;
 }
 
 // From the innermost out: a drag, an open menu, a lock on one pixel or vertex, the selection, an open window.
-void cancel(Workspace& work, UiState& ui) {
-  if (ui.viewDrag != ViewDrag::none) return endViewDrag(work, ui, false);
-  if (work.session.changing()) {
+void cancel(Editor& editor, UiState& ui) {
+  if (ui.viewDrag != ViewDrag::none) return endViewDrag(editor, ui, false);
+  if (editor.session.changing()) {
     letGoOfWidgets();
-    return work.session.cancelChange();
+    return editor.session.cancelChange();
   }
   if (closePopups()) return;
   if (!ui.keyPanel.empty()) return leaveKeyFocus(ui);
@@ -66,31 +66,31 @@ void cancel(Workspace& work, UiState& ui) {
     ui.preferences.tourSeen = true;
   } else if (ui.render.open || ui.helpOpen || ui.progressOpen || ui.exporting.open) {
     ui.render.open = ui.helpOpen = ui.progressOpen = ui.exporting.open = false;
-  } else if (work.preview.expanded) {
-    work.preview.expanded = false;
-  } else if (work.cell || work.point) {
-    work.cell.reset();
-    work.point.reset();
+  } else if (editor.preview.expanded) {
+    editor.preview.expanded = false;
+  } else if (editor.cell || editor.point) {
+    editor.cell.reset();
+    editor.point.reset();
   } else {
-    work.selection = {};
+    editor.selection = {};
   }
 }
 
-void frame(Workspace& work, const Selection& selection) {
-  const double aspect = double(std::max(1, work.viewWidth)) / std::max(1, work.viewHeight);
-  flyTo(work, frameBox(upright(work.pose), boxOf(work, selection), aspect));
+void frame(Editor& editor, const Selection& selection) {
+  const double aspect = double(std::max(1, editor.viewWidth)) / std::max(1, editor.viewHeight);
+  flyTo(editor, frameBox(upright(editor.pose), boxOf(editor, selection), aspect));
 }
 
 }  // namespace
 
-bool hasNextLevel(const Workspace& work, const UiState& ui) {
-  return neighbour(work, ui, 1) != nullptr;
+bool hasNextLevel(const Editor& editor, const UiState& ui) {
+  return neighbour(editor, ui, 1) != nullptr;
 }
 
-bool isOpen(const Workspace& work, const LevelEntry& entry) {
+bool isOpen(const Editor& editor, const LevelEntry& entry) {
   std::error_code ignored;
-  if (entry.path.filename() != work.session.path().filename()) return false;  // asks no disk
-  return std::filesystem::equivalent(entry.path, work.session.path(), ignored);
+  if (entry.path.filename() != editor.session.path().filename()) return false;  // asks no disk
+  return std::filesystem::equivalent(entry.path, editor.session.path(), ignored);
 }
 
 const std::vector<ActionText>& actionTexts() {
@@ -208,88 +208,88 @@ std::string keyNameOf(Action action, bool vrtKeys) {
   return {};
 }
 
-void perform(Action action, Workspace& work, UiState& ui) {
+void perform(Action action, Editor& editor, UiState& ui) {
   switch (action) {
     case Action::newLevel:
       ui.requests.startNew = true;
       return;
     case Action::open:
-      return chooseLevel(work, ui);
+      return chooseLevel(editor, ui);
     case Action::save:
-      return saveCurrent(work, ui);
+      return saveCurrent(editor, ui);
     case Action::saveAs:
-      return saveCurrentAs(work, ui);
+      return saveCurrentAs(editor, ui);
     case Action::copyLevel:
-      return copyLevel(work);
+      return copyLevel(editor);
     case Action::pasteLevel:
-      return pasteLevel(work, ui);
+      return pasteLevel(editor, ui);
     case Action::undo:
-      endViewDrag(work, ui, true);
+      endViewDrag(editor, ui, true);
       letGoOfWidgets();
-      return work.session.undo();
+      return editor.session.undo();
     case Action::redo:
-      return work.session.redo();
+      return editor.session.redo();
     case Action::cancel:
-      return cancel(work, ui);
+      return cancel(editor, ui);
     case Action::resetLevel:
-      endViewDrag(work, ui, true);
+      endViewDrag(editor, ui, true);
       letGoOfWidgets();
-      return work.session.reset();
+      return editor.session.reset();
     case Action::moveMode:
-      return setMode(work, GizmoMode::move);
+      return setMode(editor, GizmoMode::move);
     case Action::rotateMode:
-      return setMode(work, GizmoMode::rotate);
+      return setMode(editor, GizmoMode::rotate);
     case Action::scaleMode:
-      return setMode(work, GizmoMode::scale);
+      return setMode(editor, GizmoMode::scale);
     case Action::toggleLocal:
-      work.gizmoLocal = !work.gizmoLocal;
+      editor.gizmoLocal = !editor.gizmoLocal;
       return;
     case Action::lookThrough:
-      return toggleLookThrough(work);
+      return toggleLookThrough(editor);
     case Action::frameSelection:
-      return frame(work, work.selection);
+      return frame(editor, editor.selection);
     case Action::frameAll:
-      return frame(work, {});
+      return frame(editor, {});
     case Action::viewFront:
-      return flyTo(work, viewFrom(work.pose, ViewSide::front));
+      return flyTo(editor, viewFrom(editor.pose, ViewSide::front));
     case Action::viewRight:
-      return flyTo(work, viewFrom(work.pose, ViewSide::right));
+      return flyTo(editor, viewFrom(editor.pose, ViewSide::right));
     case Action::viewTop:
-      return flyTo(work, viewFrom(work.pose, ViewSide::top));
+      return flyTo(editor, viewFrom(editor.pose, ViewSide::top));
     case Action::toggleParallel:
-      takeOverView(work);
-      work.pose = togglePerspective(work.pose);
+      takeOverView(editor);
+      editor.pose = togglePerspective(editor.pose);
       return;
     case Action::pauseRays:
-      work.animationPaused = !work.animationPaused;
+      editor.animationPaused = !editor.animationPaused;
       return;
     case Action::previousLevel:
-      return openNeighbour(work, ui, -1);
+      return openNeighbour(editor, ui, -1);
     case Action::nextLevel:
-      return openNeighbour(work, ui, 1);
+      return openNeighbour(editor, ui, 1);
     case Action::previousStep:
-      return previousStep(work);
+      return previousStep(editor);
     case Action::nextStep:
-      return nextStep(work);
+      return nextStep(editor);
     case Action::showStep:
-      return showStep(work, ui);
+      return showStep(editor, ui);
     case Action::progress:
       ui.progressOpen = !ui.progressOpen;
       return;
     case Action::present:
       return togglePresenting(ui);
     case Action::rayStepForward:
-      work.rayStep = 1;
+      editor.rayStep = 1;
       return;
     case Action::rayStepBack:
-      work.rayStep = -1;
+      editor.rayStep = -1;
       return;
     case Action::tour:
       ui.tourCard = 0;
       ui.tourSeconds = 0;
       return;
     case Action::reload:
-      if (!work.session.path().empty()) ui.requests.open = work.session.path();
+      if (!editor.session.path().empty()) ui.requests.open = editor.session.path();
       return;
     case Action::renderImage:
       ui.render.open = true;
@@ -320,7 +320,7 @@ void perform(Action action, Workspace& work, UiState& ui) {
   }
 }
 
-bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeated) {
+bool handleKey(int key, int modifiers, Editor& editor, UiState& ui, bool repeated) {
   if (isDialogOpen(ui)) {
     if (modifiers == 0) ui.dialogKeys.push_back({key, repeated});
     return true;
@@ -332,13 +332,13 @@ bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeat
     return true;
   }
   if (ui.presenting && modifiers == 0 && (key == keys::left || key == keys::right)) {
-    perform(key == keys::left ? Action::previousStep : Action::nextStep, work, ui);
+    perform(key == keys::left ? Action::previousStep : Action::nextStep, editor, ui);
     return true;
   }
   if (ui.exporting.open && modifiers == 0 && exportKey(key, ui.exporting)) return true;
   for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {
     if (shortcut.key == key && shortcut.modifiers == modifiers) {
-      perform(shortcut.action, work, ui);
+      perform(shortcut.action, editor, ui);
       return true;
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -85,16 +85,16 @@ std::vector<Shortcut> shortcuts(bool vrtKeys);
 std::string keyNameOf(Action action, bool vrtKeys);
 
 /// Whether the level that is open is this one, however its path is written.
-bool isOpen(const Workspace& work, const LevelEntry& entry);
+bool isOpen(const Editor& editor, const LevelEntry& entry);
 
 /// Whether the list has a level after the open one.
-bool hasNextLevel(const Workspace& work, const UiState& ui);
+bool hasNextLevel(const Editor& editor, const UiState& ui);
 
 /// Does it; what only the window can do is put into ui.requests.
-void perform(Action action, Workspace& work, UiState& ui);
+void perform(Action action, Editor& editor, UiState& ui);
 
 /// A key went down while no text is typed. Returns whether it meant something. X, Y and Z lock the axis of a
 /// drag. While a dialog is open it gets the key, also while text is typed; `repeated`: it is held down.
-bool handleKey(int key, int modifiers, Workspace& work, UiState& ui, bool repeated = false);
+bool handleKey(int key, int modifiers, Editor& editor, UiState& ui, bool repeated = false);
 
 }  // namespace anamorph

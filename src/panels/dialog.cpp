@@ -25,13 +25,13 @@ bool isDialogOpen(const UiState& ui) {
   return ui.notice || ui.browser.open || ui.unsaved || !ui.recoveries.empty();
 }
 
-void drawDialogs(Workspace& work, UiState& ui) {
+void drawDialogs(Editor& editor, UiState& ui) {
   if (ui.notice) {
     drawNotice(ui);
   } else if (ui.browser.open) {
     drawFileBrowser(ui);
   } else if (ui.unsaved) {
-    drawUnsavedDialog(work, ui);
+    drawUnsavedDialog(editor, ui);
   } else if (!ui.recoveries.empty()) {
     drawRecoveryDialog(ui);
   }

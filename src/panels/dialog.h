@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -14,7 +14,7 @@ namespace anamorph {
 bool isDialogOpen(const UiState& ui);
 
 /// The dialog that is on top; takes the keys that were typed since the last frame.
-void drawDialogs(Workspace& work, UiState& ui);
+void drawDialogs(Editor& editor, UiState& ui);
 
 /// A dialog in the middle of the window, `width` and `height` at 100 %, never larger than the window; height
 /// 0: as high as what is in it. `title` is English. Pair with endDialog() when it returns true.
@@ -30,7 +30,7 @@ int dialogButtons(std::initializer_list<const char*> names, std::initializer_lis
 /// How wide that row is.
 float dialogButtonsWidth(std::initializer_list<const char*> names);
 
-void drawUnsavedDialog(Workspace& work, UiState& ui);
+void drawUnsavedDialog(Editor& editor, UiState& ui);
 void drawRecoveryDialog(UiState& ui);
 void drawNotice(UiState& ui);
 

@@ -142,10 +142,10 @@ void takeChoice(UiState& ui) {
   ui.requests.startExport = true;
 }
 
-void drawButtons(const Workspace& work, UiState& ui) {
+void drawButtons(const Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
   if (dialog.running) {
-    ImGui::ProgressBar(static_cast<float>(dialog.share), {-90 * static_cast<float>(ui.scale), 0});
+    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-90 * static_cast<float>(ui.scale), 0});
     ImGui::SameLine();
     if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelExport = true;
     return;
@@ -157,7 +157,7 @@ void drawButtons(const Workspace& work, UiState& ui) {
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
     browseFiles(ui, purposeOf(dialog),
-                proposedExport(ui, dialog.folder, work.session.path(), nameOf(dialog)));
+                proposedExport(ui, dialog.folder, editor.session.path(), nameOf(dialog)));
   }
 }
 
@@ -176,7 +176,7 @@ void drawOutcome(const UiState& ui) {
 
 }  // namespace
 
-void drawExportWindow(Workspace& work, UiState& ui) {
+void drawExportWindow(Editor& editor, UiState& ui) {
   takeChoice(ui);
   ExportDialog& dialog = ui.exporting;
   if (!dialog.open) return;
@@ -199,7 +199,7 @@ void drawExportWindow(Workspace& work, UiState& ui) {
     }
     ImGui::EndDisabled();
     ImGui::Dummy({0, 4 * s});
-    drawButtons(work, ui);
+    drawButtons(editor, ui);
     drawOutcome(ui);
   }
   ImGui::End();

@@ -21,18 +21,18 @@ std::string eyeProblem(const Level& level) {
   return findShapeProblem(mirror) ? "" : findEyeProblem(mirror, level.camera.eye).value_or("");
 }
 
-void liftRow(Workspace& work, const UiState& ui) {
-  const auto& match = work.studio.products().match;
+void liftRow(Editor& editor, const UiState& ui) {
+  const auto& match = editor.updater.products().match;
   const double hidden = match ? match->report.hiddenShare : 0;
   if (hidden > 0) {
     quietText(ui, fmt::format(fmt::runtime(tr("The sculpture hides {:.1f} % of its own reflection.")),
                               std::max(0.1, 100 * hidden))
                       .c_str());
   }
-  liftButton(work);
+  liftButton(editor);
 }
 
-bool cameraRows(Workspace& work, const UiState& ui, Level& level) {
+bool cameraRows(Editor& editor, const UiState& ui, Level& level) {
   Camera& camera = level.camera;
   bool changed = false;
   if (section(ui, "RT camera")) {
@@ -43,7 +43,7 @@ bool cameraRows(Workspace& work, const UiState& ui, Level& level) {
                          "The middle of its image. Where it looks does not change the sculpture.");
     changed |= sliderRow("Field of view", camera.fovDegrees, {20, 120, 0.1, "%.1f°"},
                          "Of the image, from its lower to its upper edge.");
-    liftRow(work, ui);
+    liftRow(editor, ui);
   }
   if (section(ui, "Pixel grid")) {
     changed |= integerRow("Columns", camera.gridColumns, 1, 64,
@@ -69,16 +69,16 @@ bool tracingRows(const UiState& ui, TracingSettings& tracing) {
 
 }  // namespace
 
-void drawEyeProperties(Workspace& work, UiState& ui) {
-  Level level = work.session.level();
-  bool changed = cameraRows(work, ui, level);
+void drawEyeProperties(Editor& editor, UiState& ui) {
+  Level level = editor.session.level();
+  bool changed = cameraRows(editor, ui, level);
   if (section(ui, "Shown as")) {
-    checkRow("Camera, frustum and grid", work.display.rtCamera, "In the 3D view.");
-    sliderRow("Grid opacity", work.display.screenOpacity, {0, 1, 0.01, "%.2f"},
+    checkRow("Camera, frustum and grid", editor.display.rtCamera, "In the 3D view.");
+    sliderRow("Grid opacity", editor.display.screenOpacity, {0, 1, 0.01, "%.2f"},
               "Of the image on the pixel grid.");
   }
   changed |= tracingRows(ui, level.tracing);
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace anamorph

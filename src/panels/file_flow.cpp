@@ -25,10 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // A drag that goes on, or a number that is typed, becomes a step of its own first.
-void finishEdits(Workspace& work, UiState& ui) {
-  endViewDrag(work, ui, true);
+void finishEdits(Editor& editor, UiState& ui) {
+  endViewDrag(editor, ui, true);
   letGoOfWidgets();
-  work.session.finishChange();
+  editor.session.finishChange();
 }
 
 // "My first column!" -> "my-first-column"
@@ -46,31 +46,31 @@ std::string fileNameOf(const std::string& title) {
 }
 
 // Where a level of one's own may go: beside the last one, never among the installed ones.
-fs::path proposedFile(const Workspace& work, const UiState& ui) {
-  const fs::path& path = work.session.path();
-  const bool own = !path.empty() && !work.session.isInstalled();
-  if (own && !work.session.isThesisScene()) return path;
-  const fs::path name = path.empty() ? fs::path(fileNameOf(work.session.level().title) + ".json")
+fs::path proposedFile(const Editor& editor, const UiState& ui) {
+  const fs::path& path = editor.session.path();
+  const bool own = !path.empty() && !editor.session.isInstalled();
+  if (own && !editor.session.isThesisScene()) return path;
+  const fs::path name = path.empty() ? fs::path(fileNameOf(editor.session.level().title) + ".json")
                                      : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
   return usualFolder(ui) / name;
 }
 
-void saveTo(const fs::path& path, Workspace& work, UiState& ui) {
+void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   try {
-    work.session.saveTo(path);
+    editor.session.saveTo(path);
     rememberLevel(ui, path);
-    work.message = fmt::format(fmt::runtime(tr("Saved: {}")), path.string());
+    editor.message = fmt::format(fmt::runtime(tr("Saved: {}")), path.string());
   } catch (const Error& error) {
     ui.unsaved.reset();
     ui.notice = Notice{"The level could not be saved", error.what()};
   }
 }
 
-void serveBrowser(Workspace& work, UiState& ui) {
+void serveBrowser(Editor& editor, UiState& ui) {
   if (const auto path = takeChosenFile(ui, FilePurpose::openLevel)) ui.requests.open = *path;
-  if (const auto path = takeChosenFile(ui, FilePurpose::openMesh)) importOriginal(work, *path);
-  if (const auto path = takeChosenFile(ui, FilePurpose::saveLevel)) saveTo(*path, work, ui);
+  if (const auto path = takeChosenFile(ui, FilePurpose::openMesh)) importOriginal(editor, *path);
+  if (const auto path = takeChosenFile(ui, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
 }
 
 std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
@@ -96,18 +96,18 @@ void grant(const UnsavedQuestion& wish, UiRequests& requests) {
 
 }  // namespace
 
-void chooseLevel(Workspace& work, UiState& ui) {
-  finishEdits(work, ui);
-  const fs::path& path = work.session.path();
-  browseFiles(ui, FilePurpose::openLevel, work.session.isInstalled() ? fs::path() : path);
+void chooseLevel(Editor& editor, UiState& ui) {
+  finishEdits(editor, ui);
+  const fs::path& path = editor.session.path();
+  browseFiles(ui, FilePurpose::openLevel, editor.session.isInstalled() ? fs::path() : path);
 }
 
-void saveCurrent(Workspace& work, UiState& ui) {
-  const fs::path path = work.session.path();
-  if (path.empty() || work.session.isThesisScene() || work.session.isInstalled())
-    return saveCurrentAs(work, ui);
-  finishEdits(work, ui);
-  if (!work.session.isFileChanged()) return saveTo(path, work, ui);
+void saveCurrent(Editor& editor, UiState& ui) {
+  const fs::path path = editor.session.path();
+  if (path.empty() || editor.session.isThesisScene() || editor.session.isInstalled())
+    return saveCurrentAs(editor, ui);
+  finishEdits(editor, ui);
+  if (!editor.session.isFileChanged()) return saveTo(path, editor, ui);
   browseFiles(ui, FilePurpose::saveLevel, path);
   ui.browser.problem = fmt::format(
       fmt::runtime(
@@ -116,27 +116,27 @@ void saveCurrent(Workspace& work, UiState& ui) {
       path.filename().string());
 }
 
-void saveCurrentAs(Workspace& work, UiState& ui) {
-  finishEdits(work, ui);
-  browseFiles(ui, FilePurpose::saveLevel, proposedFile(work, ui));
+void saveCurrentAs(Editor& editor, UiState& ui) {
+  finishEdits(editor, ui);
+  browseFiles(ui, FilePurpose::saveLevel, proposedFile(editor, ui));
 }
 
-void chooseOriginal(Workspace& work, UiState& ui) {
-  finishEdits(work, ui);
-  const Level& level = work.session.level();
+void chooseOriginal(Editor& editor, UiState& ui) {
+  finishEdits(editor, ui);
+  const Level& level = editor.session.level();
   const auto* file = std::get_if<FileShape>(&level.original.shape);
-  browseFiles(ui, FilePurpose::openMesh, file ? modelPath(*file, work.session.path()) : fs::path());
+  browseFiles(ui, FilePurpose::openMesh, file ? modelPath(*file, editor.session.path()) : fs::path());
 }
 
-void importOriginal(Workspace& work, const fs::path& mesh) {
-  work.session.finishChange();
-  const Box box = originalBox(work);
-  const bool keepSize = work.session.isThesisScene() && !work.session.canUndo();
-  const std::string name = meshNameFor(mesh, work.session.path());
+void importOriginal(Editor& editor, const fs::path& mesh) {
+  editor.session.finishChange();
+  const Box box = originalBox(editor);
+  const bool keepSize = editor.session.isThesisScene() && !editor.session.canUndo();
+  const std::string name = meshNameFor(mesh, editor.session.path());
   const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
-  work.job.start(
-      work.session, reading,
-      [mesh, name, box, keepSize, levelPath = work.session.path()](const Level& level, const Progress&) {
+  editor.job.start(
+      editor.session, reading,
+      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
         const Mesh read = loadMesh(mesh);
         Box room = box;
         if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
@@ -158,9 +158,9 @@ void importOriginal(Workspace& work, const fs::path& mesh) {
       });
 }
 
-void acceptFiles(const std::vector<fs::path>& files, Workspace& work, UiState& ui) {
+void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isMeshFile(file)) return importOriginal(work, file);
+    if (isMeshFile(file)) return importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
@@ -173,20 +173,20 @@ void acceptFiles(const std::vector<fs::path>& files, Workspace& work, UiState& u
                                  files.front().filename().string())};
 }
 
-void copyLevel(Workspace& work) {
+void copyLevel(Editor& editor) {
   if (!ImGui::GetCurrentContext()) return;
-  ImGui::SetClipboardText(levelAsText(work.session.level(), work.session.path()).c_str());
-  work.message = tr("The level is on the clipboard, as text.");
+  ImGui::SetClipboardText(levelAsText(editor.session.level(), editor.session.path()).c_str());
+  editor.message = tr("The level is on the clipboard, as text.");
 }
 
-void pasteLevel(Workspace& work, UiState& ui) {
+void pasteLevel(Editor& editor, UiState& ui) {
   if (!ImGui::GetCurrentContext()) return;
   const char* text = ImGui::GetClipboardText();
   try {
-    Level level = levelFromText(text ? text : "", work.session.path());
-    finishEdits(work, ui);
-    work.session.edit(std::move(level));
-    work.message = tr("The level has been pasted; Ctrl+Z takes it back.");
+    Level level = levelFromText(text ? text : "", editor.session.path());
+    finishEdits(editor, ui);
+    editor.session.edit(std::move(level));
+    editor.message = tr("The level has been pasted; Ctrl+Z takes it back.");
   } catch (const Error& error) {
     ui.notice = Notice{"There is no level on the clipboard", error.what()};
   }
@@ -204,19 +204,19 @@ void rememberLevel(UiState& ui, const fs::path& path) {
   rememberFolder(ui, whole.parent_path());
 }
 
-void settleRequests(Workspace& work, UiState& ui) {
-  serveBrowser(work, ui);
+void settleRequests(Editor& editor, UiState& ui) {
+  serveBrowser(editor, ui);
   if (auto wish = takeWish(ui.requests)) {
-    endViewDrag(work, ui, false);  // it would go on in the next level
-    work.session.cancelChange();
+    endViewDrag(editor, ui, false);  // it would go on in the next level
+    editor.session.cancelChange();
     letGoOfWidgets();
     std::error_code ignored;
-    const bool again =
-        wish->next == UnsavedQuestion::Next::open && fs::equivalent(wish->path, work.session.path(), ignored);
+    const bool again = wish->next == UnsavedQuestion::Next::open &&
+                       fs::equivalent(wish->path, editor.session.path(), ignored);
     const bool quits = wish->next == UnsavedQuestion::Next::quit;
     // An installed level is found again as it was left.
-    const bool lost = work.session.modified() && (again || quits || !work.session.isInstalled());
-    if (lost || (quits && !work.leftLevels.empty())) {
+    const bool lost = editor.session.modified() && (again || quits || !editor.session.isInstalled());
+    if (lost || (quits && !editor.leftLevels.empty())) {
       ui.unsaved = std::move(wish);
     } else {
       grant(*wish, ui.requests);
@@ -226,7 +226,7 @@ void settleRequests(Workspace& work, UiState& ui) {
   const UnsavedQuestion wish = *std::exchange(ui.unsaved, std::nullopt);
   const bool drop = wish.answer == UnsavedQuestion::Answer::drop;
   // Still modified: the browser was closed without a name, and so nothing happens.
-  if (drop || !work.session.modified()) grant(wish, ui.requests);
+  if (drop || !editor.session.modified()) grant(wish, ui.requests);
 }
 
 }  // namespace anamorph

@@ -1,6 +1,6 @@
 // What the File menu does: the way from a wish through the questions that it raises to the deed.
 //
-//   wish: open, new, quit --unsaved changes?--> question --save, or not--> done by the desk or the window
+//   wish: open, new, quit --unsaved changes?--> question --save, or not--> done by the GUI or the window
 //                                                   `--cancel--> nothing has happened
 //
 // Files are read and written in the session; what goes wrong there is said and changes nothing.
@@ -9,30 +9,30 @@
 #include <filesystem>
 #include <vector>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
 
 /// Opens the browser for a level.
-void chooseLevel(Workspace& work, UiState& ui);
+void chooseLevel(Editor& editor, UiState& ui);
 /// Saves the level to its file; asks for one when it has none, or one that is not to be replaced.
-void saveCurrent(Workspace& work, UiState& ui);
-void saveCurrentAs(Workspace& work, UiState& ui);
+void saveCurrent(Editor& editor, UiState& ui);
+void saveCurrentAs(Editor& editor, UiState& ui);
 
 /// Opens the browser for a mesh that takes the original's place.
-void chooseOriginal(Workspace& work, UiState& ui);
+void chooseOriginal(Editor& editor, UiState& ui);
 /// Reads a mesh in the background and puts it in the original's place, fitted into its box; one step to undo.
 /// For a scene of the thesis it keeps its size, as that scene means it.
-void importOriginal(Workspace& work, const std::filesystem::path& mesh);
+void importOriginal(Editor& editor, const std::filesystem::path& mesh);
 
 /// Files that were dropped on the window: a mesh takes the original's place, a level is opened. Of several
 /// the first that is either.
-void acceptFiles(const std::vector<std::filesystem::path>& files, Workspace& work, UiState& ui);
+void acceptFiles(const std::vector<std::filesystem::path>& files, Editor& editor, UiState& ui);
 
 /// The whole level as text to the clipboard, and from there; bad text is a notice.
-void copyLevel(Workspace& work);
-void pasteLevel(Workspace& work, UiState& ui);
+void copyLevel(Editor& editor);
+void pasteLevel(Editor& editor, UiState& ui);
 
 /// Puts a level of one's own first among the recent ones, and its folder among those.
 void rememberLevel(UiState& ui, const std::filesystem::path& path);
@@ -40,6 +40,6 @@ void rememberLevel(UiState& ui, const std::filesystem::path& path);
 /// Once a frame, after the panels: does what the browser chose, and lets only those of the requests `open`,
 /// `startNew` and `quit` stand that may be served now. The others wait for the question about unsaved
 /// changes.
-void settleRequests(Workspace& work, UiState& ui);
+void settleRequests(Editor& editor, UiState& ui);
 
 }  // namespace anamorph

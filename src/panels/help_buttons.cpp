@@ -28,12 +28,12 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
 
 }  // namespace
 
-void fitOriginal(Workspace& work, UiState& ui) {
-  const auto& mesh = work.studio.products().original.mesh;
+void fitOriginal(Editor& editor, UiState& ui) {
+  const auto& mesh = editor.updater.products().original.mesh;
   if (!mesh) return;
-  work.session.finishChange();
-  if (auto fitted = originalFittedToMirror(work.session.level(), mesh->positions)) {
-    work.session.edit(std::move(*fitted));
+  editor.session.finishChange();
+  if (auto fitted = originalFittedToMirror(editor.session.level(), mesh->positions)) {
+    editor.session.edit(std::move(*fitted));
   } else {
     ui.notice = Notice{
         "No size will do",
@@ -42,49 +42,48 @@ void fitOriginal(Workspace& work, UiState& ui) {
   }
 }
 
-void fitButton(Workspace& work, UiState& ui) {
+void fitButton(Editor& editor, UiState& ui) {
   if (wideButton(
           "Fit to the mirror",
           "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
-          work.studio.products().original.mesh != nullptr)) {
-    fitOriginal(work, ui);
+          editor.updater.products().original.mesh != nullptr)) {
+    fitOriginal(editor, ui);
   }
 }
 
-void behindButton(Workspace& work) {
+void behindButton(Editor& editor) {
   if (!wideButton("Put behind the mirror",
                   "Along the line of sight, until all of it is behind the mirror as the eye sees it.")) {
     return;
   }
-  work.session.finishChange();
-  const Level behind = originalMovedBehind(work.session.level(), originalBox(work));
-  if (behind == work.session.level()) work.message = tr("The original is behind the mirror already.");
-  work.session.edit(behind);
+  editor.session.finishChange();
+  const Level behind = originalMovedBehind(editor.session.level(), originalBox(editor));
+  if (behind == editor.session.level()) editor.message = tr("The original is behind the mirror already.");
+  editor.session.edit(behind);
 }
 
-void startLift(Workspace& work) {
-  work.session.finishChange();
-  work.job.start(work.session, tr("Lifting the eye"),
-                 [mesh = work.studio.products().original.mesh](const Level& level, const Progress& progress) {
-                   return lift(level, mesh, progress);
-                 });
+void startLift(Editor& editor) {
+  editor.session.finishChange();
+  editor.job.start(editor.session, tr("Lifting the eye"),
+                   [mesh = editor.updater.products().original.mesh](
+                       const Level& level, const Progress& progress) { return lift(level, mesh, progress); });
 }
 
-void liftButton(Workspace& work) {
-  if (work.job.busy()) {
+void liftButton(Editor& editor) {
+  if (editor.job.busy()) {
     const float width = ImGui::CalcTextSize(tr("Cancel")).x + 3 * ImGui::GetStyle().FramePadding.x;
-    ImGui::ProgressBar(static_cast<float>(work.job.share()), {-width - ImGui::GetStyle().ItemSpacing.x, 0},
-                       work.job.name().c_str());
+    ImGui::ProgressBar(static_cast<float>(editor.job.fraction()),
+                       {-width - ImGui::GetStyle().ItemSpacing.x, 0}, editor.job.name().c_str());
     ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) work.job.cancel();
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) editor.job.cancel();
     return;
   }
   if (wideButton("Lift until nothing is hidden",
                  "The sculpture may stand in its own way. The eye goes up around the original, at the same "
                  "distance, "
                  "as little as is needed.",
-                 work.studio.products().original.mesh != nullptr)) {
-    startLift(work);
+                 editor.updater.products().original.mesh != nullptr)) {
+    startLift(editor);
   }
 }
 

@@ -85,7 +85,7 @@ void wordRows(const UiState& ui) {
 
 }  // namespace
 
-void drawHelpWindow(Workspace&, UiState& ui) {
+void drawHelpWindow(Editor&, UiState& ui) {
   if (!ui.helpOpen) return;
   if (beginToolWindow(ui, "Help", "###help", ui.helpOpen, 640, 620, 0.9f)) {
     mouseRows(ui);

@@ -18,10 +18,10 @@ void title(const UiState& ui, const std::string& text) {
   paragraph(tr(text));
 }
 
-void drawHead(Workspace& work, UiState& ui) {
-  const LessonRun& run = work.lesson;
-  const LessonScore score = scoreOf(run.lesson, work.progress);
-  drawStepDots(work, ui);
+void drawHead(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
+  const LessonScore score = scoreOf(run.lesson, editor.progress);
+  drawStepDots(editor, ui);
   std::string line = stepCount(run);
   if (run.open().optional) line += fmt::format(", {}", tr("optional"));
   quietText(ui, line.c_str());
@@ -42,35 +42,36 @@ bool button(const char* name, const char* help, float width, bool enabled, bool 
   return pressed;
 }
 
-void drawButtons(Workspace& work, UiState& ui) {
-  const LessonRun& run = work.lesson;
+void drawButtons(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
   const bool last = run.step + 1 == run.lesson.steps.size(), reads = run.open().done.empty();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   if (button("Show me", "Points at the control, and makes the move of this step.", half, canShow(run),
              false)) {
-    showStep(work, ui);
+    showStep(editor, ui);
   }
   ImGui::SameLine();
   const char* reset = ImGui::CalcTextSize(tr("Reset the level")).x > half ? "Reset" : "Reset the level";
-  if (button(reset, "As it was opened. Can be undone.", half, work.session.modified(), false)) {
-    perform(Action::resetLevel, work, ui);
+  if (button(reset, "As it was opened. Can be undone.", half, editor.session.modified(), false)) {
+    perform(Action::resetLevel, editor, ui);
   }
-  if (button("Back", "The step before.", half, run.step > 0, false)) perform(Action::previousStep, work, ui);
+  if (button("Back", "The step before.", half, run.step > 0, false))
+    perform(Action::previousStep, editor, ui);
   ImGui::SameLine();
   const bool readLast = last && reads && !run.done;
   if (last && !readLast) {
-    const bool more = hasNextLevel(work, ui);
-    if (button("Next level", "", half, more, run.done)) perform(Action::nextLevel, work, ui);
+    const bool more = hasNextLevel(editor, ui);
+    if (button("Next level", "", half, more, run.done)) perform(Action::nextLevel, editor, ui);
     return;
   }
   const char* name = readLast ? "Done" : run.done || reads ? "Next" : "Skip";
-  if (button(name, "The next step.", half, true, run.done || reads)) perform(Action::nextStep, work, ui);
+  if (button(name, "The next step.", half, true, run.done || reads)) perform(Action::nextStep, editor, ui);
 }
 
-void drawBadge(const Workspace& work, const UiState& ui) {
-  const LessonRun& run = work.lesson;
-  if (!scoreOf(run.lesson, work.progress).badge) return;
+void drawBadge(const Editor& editor, const UiState& ui) {
+  const LessonRun& run = editor.lesson;
+  if (!scoreOf(run.lesson, editor.progress).badge) return;
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
   const float size = ImGui::GetFontSize();
   const ImVec2 p = ImGui::GetCursorScreenPos();
@@ -84,53 +85,53 @@ void drawBadge(const Workspace& work, const UiState& ui) {
   quietText(ui, run.lesson.badge.text.c_str());
 }
 
-void drawLesson(Workspace& work, UiState& ui) {
-  drawHead(work, ui);
+void drawLesson(Editor& editor, UiState& ui) {
+  drawHead(editor, ui);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
   ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
                     ImGuiWindowFlags_NavFlattened);
   constexpr int layoutFrames = 3;  // until the height of what has been added is known
-  const StepOfLesson step = openStepOf(work.lesson);
+  const StepOfLesson step = openStepOf(editor.lesson);
   if (ui.scrolledStep != step) {
     ImGui::SetScrollY(0);
     ui.noticeFrames = 0;
-  } else if (work.lesson.done && !ui.wasDone) {
+  } else if (editor.lesson.done && !ui.wasDone) {
     ui.noticeFrames = layoutFrames;
   }
   ui.scrolledStep = step;
-  ui.wasDone = work.lesson.done;
-  title(ui, work.lesson.open().title);
-  drawStepText(work.lesson, ui);
-  drawBadge(work, ui);
+  ui.wasDone = editor.lesson.done;
+  title(ui, editor.lesson.open().title);
+  drawStepText(editor.lesson, ui);
+  drawBadge(editor, ui);
   // What there is to notice must not appear below the edge.
   if (ui.noticeFrames > 0) {
     ImGui::SetScrollHereY(1);
     --ui.noticeFrames;
   }
   ImGui::EndChild();
-  drawButtons(work, ui);
+  drawButtons(editor, ui);
 }
 
-void drawDescription(Workspace& work, UiState& ui) {
-  const Level& level = work.session.level();
+void drawDescription(Editor& editor, UiState& ui) {
+  const Level& level = editor.session.level();
   title(ui, level.title.empty() ? "A level without a title" : level.title);
   paragraph(tr(level.description));
   if (level.title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
-  if (wideButton("Reset the level", "As it was opened. Can be undone.", work.session.modified())) {
-    perform(Action::resetLevel, work, ui);
+  if (wideButton("Reset the level", "As it was opened. Can be undone.", editor.session.modified())) {
+    perform(Action::resetLevel, editor, ui);
   }
 }
 
 }  // namespace
 
-void drawLessonPanel(Workspace& work, UiState& ui) {
+void drawLessonPanel(Editor& editor, UiState& ui) {
   if (!beginPanel("lesson", ui.layout.lesson)) return;
-  if (work.lesson.empty()) {
-    drawDescription(work, ui);
+  if (editor.lesson.empty()) {
+    drawDescription(editor, ui);
   } else {
-    drawLesson(work, ui);
+    drawLesson(editor, ui);
   }
   ImGui::End();
 }

@@ -53,8 +53,8 @@ void drawStepText(const LessonRun& run, const UiState& ui) {
   }
 }
 
-void drawStepDots(Workspace& work, const UiState& ui) {
-  const LessonRun& run = work.lesson;
+void drawStepDots(Editor& editor, const UiState& ui) {
+  const LessonRun& run = editor.lesson;
   const float s = static_cast<float>(ui.scale);
   const auto count = static_cast<float>(run.lesson.steps.size());
   const float room = ImGui::GetContentRegionAvail().x, cell = std::min(22 * s, room / std::max(1.0f, count));
@@ -63,7 +63,7 @@ void drawStepDots(Workspace& work, const UiState& ui) {
   std::optional<std::size_t> wanted;
   for (std::size_t i = 0; i < run.lesson.steps.size(); ++i) {
     const LessonStep& step = run.lesson.steps[i];
-    const bool done = isDone(run.lesson, step, work.progress), open = i == run.step;
+    const bool done = isDone(run.lesson, step, editor.progress), open = i == run.step;
     ImGui::PushID(static_cast<int>(i));
     if (i > 0) ImGui::SameLine(0, 0);
     const ImVec2 p = ImGui::GetCursorScreenPos();
@@ -85,7 +85,7 @@ void drawStepDots(Workspace& work, const UiState& ui) {
                           : step.title.c_str());
     ImGui::PopID();
   }
-  if (wanted) openStep(work, *wanted);
+  if (wanted) openStep(editor, *wanted);
 }
 
 std::string stepCount(const LessonRun& run) {
@@ -97,21 +97,21 @@ bool canShow(const LessonRun& run) {
   return show.play || !show.widget.empty();
 }
 
-void showStep(Workspace& work, UiState& ui) {
-  if (work.lesson.empty()) return;
-  const StepShow& show = work.lesson.open().show;
+void showStep(Editor& editor, UiState& ui) {
+  if (editor.lesson.empty()) return;
+  const StepShow& show = editor.lesson.open().show;
   const auto tab = std::find(stepTabs.begin(), stepTabs.end(), show.tab);
-  if (tab != stepTabs.end()) openTab(work, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
+  if (tab != stepTabs.end()) openTab(editor, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
   pointAt("");  // also what was pointed at just now is scrolled to
   ui.highlight = show.widget;
-  ui.highlightStep = openStepOf(work.lesson);
+  ui.highlightStep = openStepOf(editor.lesson);
   ui.highlightSeconds = show.widget.empty() ? 0 : highlightSeconds;
-  playStep(work);
+  playStep(editor);
 }
 
-void updateHighlight(const Workspace& work, UiState& ui, double seconds) {
+void updateHighlight(const Editor& editor, UiState& ui, double seconds) {
   ui.highlightSeconds = std::max(0.0, ui.highlightSeconds - seconds);
-  if (ui.highlightStep != openStepOf(work.lesson)) ui.highlightSeconds = 0;
+  if (ui.highlightStep != openStepOf(editor.lesson)) ui.highlightSeconds = 0;
   if (ui.highlightSeconds == 0) ui.highlight.clear();
   pointAt(ui.highlight);
 }

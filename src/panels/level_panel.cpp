@@ -25,10 +25,10 @@ void drawThumbnail(const LevelEntry& entry, const UiState& ui, const ImVec2& low
 }
 
 // "3 of 7", a star once the badge is earned.
-void drawProgress(const LevelEntry& entry, const Workspace& work, const UiState& ui, float right,
+void drawProgress(const LevelEntry& entry, const Editor& editor, const UiState& ui, float right,
                   float middle) {
   if (entry.lesson.steps.empty()) return;
-  const LessonScore score = scoreOf(entry.lesson, work.progress);
+  const LessonScore score = scoreOf(entry.lesson, editor.progress);
   const float size = ImGui::GetFontSize();
   if (score.badge) return drawStar({right - size / 2, middle}, 0.48f * size);
   const std::string text = fmt::format("{}/{}", score.done, score.steps);
@@ -38,9 +38,9 @@ void drawProgress(const LevelEntry& entry, const Workspace& work, const UiState&
                                       text.c_str());
 }
 
-void levelRow(const LevelEntry& entry, Workspace& work, UiState& ui) {
+void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   const float s = static_cast<float>(ui.scale), height = levelRowHeight * s, gap = 8 * s;
-  const bool open = isOpen(work, entry);
+  const bool open = isOpen(editor, entry);
   ImGui::PushID(entry.name.c_str());
   const ImVec2 p = ImGui::GetCursorScreenPos();
   const float right = p.x + ImGui::GetContentRegionAvail().x - 4 * s;
@@ -50,7 +50,7 @@ void levelRow(const LevelEntry& entry, Workspace& work, UiState& ui) {
   const float side = height - 6 * s;
   const ImVec2 low{p.x + 3 * s, p.y + 3 * s}, high{low.x + side, low.y + side};
   drawThumbnail(entry, ui, low, high);
-  drawProgress(entry, work, ui, right, p.y + height / 2);
+  drawProgress(entry, editor, ui, right, p.y + height / 2);
   const std::string title = entry.title.empty() ? entry.name : tr(entry.title);
   const ImVec4 color =
       entry.problem.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.preferences.theme);
@@ -67,14 +67,14 @@ void levelRow(const LevelEntry& entry, Workspace& work, UiState& ui) {
 
 }  // namespace
 
-void drawLevelPanel(Workspace& work, UiState& ui) {
+void drawLevelPanel(Editor& editor, UiState& ui) {
   if (!beginPanel("levels", ui.layout.left)) return;
   {
     const FontScope strong(ui.fonts.strong);
     ImGui::TextUnformatted(tr("Levels"));
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
-  for (const LevelEntry& entry : ui.levels) levelRow(entry, work, ui);
+  for (const LevelEntry& entry : ui.levels) levelRow(entry, editor, ui);
   ImGui::PopStyleVar();
   ImGui::End();
 }

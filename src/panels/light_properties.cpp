@@ -12,14 +12,14 @@
 namespace anamorph {
 namespace {
 
-bool lightRows(Workspace& work, Level& level, int index) {
+bool lightRows(Editor& editor, Level& level, int index) {
   PointLight& light = level.lights[index];
   bool changed = vectorRow("Position", light.position, {-1e6, 1e6, 0.02, "%.2f"});
   changed |= colorRow("Colour", light.color);
   changed |= sliderRow("Intensity", light.intensity, {0, 3, 0.01, "%.2f"});
   if (wideButton("Remove this light")) {
     level.lights.erase(level.lights.begin() + index);
-    work.selection = {};
+    editor.selection = {};
     changed = true;
   }
   return changed;
@@ -27,25 +27,25 @@ bool lightRows(Workspace& work, Level& level, int index) {
 
 }  // namespace
 
-void drawLightProperties(Workspace& work, UiState& ui) {
+void drawLightProperties(Editor& editor, UiState& ui) {
   constexpr std::size_t maxLights = 8;
-  Level level = work.session.level();
+  Level level = editor.session.level();
   bool changed = false;
   if (section(ui, "Lights")) {
-    const int chosen = work.selection.part == Part::light ? work.selection.index : -1;
+    const int chosen = editor.selection.part == Part::light ? editor.selection.index : -1;
     for (int i = 0; i < static_cast<int>(level.lights.size()); ++i) {
       const std::string name = fmt::format(fmt::runtime(tr("Light {}")), i + 1);
       const std::string label = fmt::format("{}###light{}", name, i);
-      if (ImGui::Selectable(label.c_str(), i == chosen)) work.selection = {Part::light, i};
+      if (ImGui::Selectable(label.c_str(), i == chosen)) editor.selection = {Part::light, i};
     }
     if (wideButton("Add a light", "At most 8.", level.lights.size() < maxLights)) {
       level.lights.push_back({});
-      work.selection = {Part::light, static_cast<int>(level.lights.size()) - 1};
+      editor.selection = {Part::light, static_cast<int>(level.lights.size()) - 1};
       changed = true;
     } else if (chosen >= 0 && chosen < static_cast<int>(level.lights.size())) {
-      changed |= lightRows(work, level, chosen);
+      changed |= lightRows(editor, level, chosen);
     }
-    checkRow("Show the lights", work.display.lightMarkers, "As small bright balls in the 3D view.");
+    checkRow("Show the lights", editor.display.lightMarkers, "As small bright balls in the 3D view.");
   }
   if (section(ui, "Surroundings", false)) {
     changed |= colorRow("Sky above", level.background.top);
@@ -53,7 +53,7 @@ void drawLightProperties(Workspace& work, UiState& ui) {
     changed |= checkRow("Ground", level.ground.visible);
     changed |= numberRow("Ground height", level.ground.height, {-1e6, 1e6, 0.02, "%.2f"});
   }
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace anamorph

@@ -12,9 +12,9 @@ namespace anamorph {
 namespace {
 
 // Never rounded up to a perfect score.
-std::string percent(double share, int digits = 2) {
+std::string percent(double fraction, int digits = 2) {
   const double unit = std::pow(10, -digits);
-  const double shown = share < 1 ? std::min(100 * share, 100 - unit) : 100;
+  const double shown = fraction < 1 ? std::min(100 * fraction, 100 - unit) : 100;
   return fmt::format("{:.{}f} %", shown, digits);
 }
 
@@ -36,7 +36,7 @@ MatchScore matchScore(const Products& products) {
   }
   const MatchReport& report = products.match->report;
   const MatchGrade grade = gradeOf(report);
-  score.share = report.silhouetteIou;
+  score.fraction = report.silhouetteIou;
   // While something moves the picture compared is coarse, and so is the figure.
   score.percent = percent(report.silhouetteIou, products.refined ? 2 : 1);
   score.word = products.refined ? matchGradeName(grade) : "live";

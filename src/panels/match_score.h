@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "edit/studio.h"
+#include "edit/live_updater.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -21,7 +21,7 @@ struct MatchPart {
 struct MatchScore {
   enum class Tone { good, middling, bad, unknown };
 
-  double share = 0;     ///< silhouette IoU, 0..1
+  double fraction = 0;  ///< silhouette IoU, 0..1
   std::string percent;  ///< "99.95 %", "..." while it is not known
   std::string word;     ///< "excellent", "match", "partial", "none"
   Tone tone = Tone::unknown;

@@ -5,11 +5,11 @@
 namespace anamorph {
 
 bool materialRows(Material& material) {
-  const NumberRange share{0, 1, 0.01, "%.2f"};
+  const NumberRange fraction{0, 1, 0.01, "%.2f"};
   bool changed = colorRow("Colour", material.color);
-  changed |= sliderRow("Ambient", material.ambient, share, "Light that comes from everywhere.");
-  changed |= sliderRow("Diffuse", material.diffuse, share, "Light that is scattered to all sides.");
-  changed |= sliderRow("Specular", material.specular, share, "The highlight's strength.");
+  changed |= sliderRow("Ambient", material.ambient, fraction, "Light that comes from everywhere.");
+  changed |= sliderRow("Diffuse", material.diffuse, fraction, "Light that is scattered to all sides.");
+  changed |= sliderRow("Specular", material.specular, fraction, "The highlight's strength.");
   changed |= sliderRow("Shininess", material.shininess, {1, 128, 1, "%.0f"},
                        "Larger: a smaller, sharper highlight.", true);
   return changed;

@@ -16,11 +16,11 @@
 namespace anamorph {
 namespace {
 
-void item(Action action, Workspace& work, UiState& ui, bool enabled = true, bool checked = false) {
+void item(Action action, Editor& editor, UiState& ui, bool enabled = true, bool checked = false) {
   for (const ActionText& text : actionTexts()) {
     if (text.action != action) continue;
     const std::string key = keyNameOf(action, ui.preferences.vrtKeys);
-    if (ImGui::MenuItem(tr(text.name), key.c_str(), checked, enabled)) perform(action, work, ui);
+    if (ImGui::MenuItem(tr(text.name), key.c_str(), checked, enabled)) perform(action, editor, ui);
     tooltip(text.help);
   }
 }
@@ -39,94 +39,94 @@ void recentMenu(UiState& ui) {
   ImGui::EndMenu();
 }
 
-void fileMenu(Workspace& work, UiState& ui) {
-  item(Action::newLevel, work, ui);
-  item(Action::open, work, ui);
+void fileMenu(Editor& editor, UiState& ui) {
+  item(Action::newLevel, editor, ui);
+  item(Action::open, editor, ui);
   recentMenu(ui);
-  item(Action::reload, work, ui, !work.session.path().empty());
+  item(Action::reload, editor, ui, !editor.session.path().empty());
   ImGui::Separator();
-  item(Action::save, work, ui);
-  item(Action::saveAs, work, ui);
+  item(Action::save, editor, ui);
+  item(Action::saveAs, editor, ui);
   ImGui::Separator();
-  item(Action::exportFiles, work, ui);
-  item(Action::renderImage, work, ui);
-  item(Action::screenshot, work, ui);
+  item(Action::exportFiles, editor, ui);
+  item(Action::renderImage, editor, ui);
+  item(Action::screenshot, editor, ui);
   ImGui::Separator();
-  item(Action::quit, work, ui);
+  item(Action::quit, editor, ui);
 }
 
-void editMenu(Workspace& work, UiState& ui) {
-  item(Action::undo, work, ui, work.session.canUndo());
-  item(Action::redo, work, ui, work.session.canRedo());
-  item(Action::resetLevel, work, ui, work.session.modified());
-  item(Action::copyLevel, work, ui);
-  item(Action::pasteLevel, work, ui);
+void editMenu(Editor& editor, UiState& ui) {
+  item(Action::undo, editor, ui, editor.session.canUndo());
+  item(Action::redo, editor, ui, editor.session.canRedo());
+  item(Action::resetLevel, editor, ui, editor.session.modified());
+  item(Action::copyLevel, editor, ui);
+  item(Action::pasteLevel, editor, ui);
   ImGui::Separator();
-  item(Action::moveMode, work, ui, true, work.gizmoMode == GizmoMode::move);
-  item(Action::rotateMode, work, ui, true, work.gizmoMode == GizmoMode::rotate);
-  item(Action::scaleMode, work, ui, true, work.gizmoMode == GizmoMode::scale);
-  item(Action::toggleLocal, work, ui, true, work.gizmoLocal);
+  item(Action::moveMode, editor, ui, true, editor.gizmoMode == GizmoMode::move);
+  item(Action::rotateMode, editor, ui, true, editor.gizmoMode == GizmoMode::rotate);
+  item(Action::scaleMode, editor, ui, true, editor.gizmoMode == GizmoMode::scale);
+  item(Action::toggleLocal, editor, ui, true, editor.gizmoLocal);
 }
 
-void viewMenu(Workspace& work, UiState& ui) {
-  item(Action::lookThrough, work, ui, true, work.lookingThrough);
+void viewMenu(Editor& editor, UiState& ui) {
+  item(Action::lookThrough, editor, ui, true, editor.lookingThrough);
   ImGui::Separator();
-  item(Action::frameSelection, work, ui);
-  item(Action::frameAll, work, ui);
-  item(Action::viewFront, work, ui);
-  item(Action::viewRight, work, ui);
-  item(Action::viewTop, work, ui);
-  item(Action::toggleParallel, work, ui, true, work.pose.orthographic);
+  item(Action::frameSelection, editor, ui);
+  item(Action::frameAll, editor, ui);
+  item(Action::viewFront, editor, ui);
+  item(Action::viewRight, editor, ui);
+  item(Action::viewTop, editor, ui);
+  item(Action::toggleParallel, editor, ui, true, editor.pose.orthographic);
   ImGui::Separator();
-  item(Action::pauseRays, work, ui, work.rays.animate, work.animationPaused);
-  item(Action::rayStepForward, work, ui, work.rays.show);
-  item(Action::rayStepBack, work, ui, work.rays.show);
-  item(Action::hidePanels, work, ui, true, ui.panelsHidden);
-  item(Action::nextPanel, work, ui, !ui.panelsHidden);
-  item(Action::fullscreen, work, ui);
-  item(Action::present, work, ui, true, ui.presenting);
+  item(Action::pauseRays, editor, ui, editor.rays.animate, editor.animationPaused);
+  item(Action::rayStepForward, editor, ui, editor.rays.show);
+  item(Action::rayStepBack, editor, ui, editor.rays.show);
+  item(Action::hidePanels, editor, ui, true, ui.panelsHidden);
+  item(Action::nextPanel, editor, ui, !ui.panelsHidden);
+  item(Action::fullscreen, editor, ui);
+  item(Action::present, editor, ui, true, ui.presenting);
 }
 
-void menus(Workspace& work, UiState& ui) {
+void menus(Editor& editor, UiState& ui) {
   if (ImGui::BeginMenu(tr("File"))) {
-    fileMenu(work, ui);
+    fileMenu(editor, ui);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("Edit"))) {
-    editMenu(work, ui);
+    editMenu(editor, ui);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("View"))) {
-    viewMenu(work, ui);
+    viewMenu(editor, ui);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("Level"))) {
     for (const LevelEntry& entry : ui.levels) {
-      const bool open = isOpen(work, entry);
+      const bool open = isOpen(editor, entry);
       if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str()), nullptr,
                           open)) {
         ui.requests.open = entry.path;
       }
     }
     ImGui::Separator();
-    item(Action::previousLevel, work, ui);
-    item(Action::nextLevel, work, ui);
+    item(Action::previousLevel, editor, ui);
+    item(Action::nextLevel, editor, ui);
     ImGui::Separator();
-    item(Action::previousStep, work, ui, !work.lesson.empty());
-    item(Action::nextStep, work, ui, !work.lesson.empty());
-    item(Action::showStep, work, ui, !work.lesson.empty());
-    item(Action::progress, work, ui, true, ui.progressOpen);
+    item(Action::previousStep, editor, ui, !editor.lesson.empty());
+    item(Action::nextStep, editor, ui, !editor.lesson.empty());
+    item(Action::showStep, editor, ui, !editor.lesson.empty());
+    item(Action::progress, editor, ui, true, ui.progressOpen);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu(tr("Help"))) {
-    item(Action::help, work, ui);
-    item(Action::tour, work, ui);
+    item(Action::help, editor, ui);
+    item(Action::tour, editor, ui);
     ImGui::EndMenu();
   }
 }
 
-void rightEnd(Workspace& work, UiState& ui) {
-  const MatchScore score = matchScore(work.studio.products());
+void rightEnd(Editor& editor, UiState& ui) {
+  const MatchScore score = matchScore(editor.updater.products());
   const std::string text = scoreText(score);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;
@@ -135,11 +135,11 @@ void rightEnd(Workspace& work, UiState& ui) {
   const float x = ImGui::GetWindowWidth() - width - style.WindowPadding.x;
   if (x < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(x);
-  ImGui::BeginDisabled(!work.session.canUndo());
-  if (ImGui::SmallButton(tr("Undo"))) perform(Action::undo, work, ui);
+  ImGui::BeginDisabled(!editor.session.canUndo());
+  if (ImGui::SmallButton(tr("Undo"))) perform(Action::undo, editor, ui);
   ImGui::EndDisabled();
-  ImGui::BeginDisabled(!work.session.canRedo());
-  if (ImGui::SmallButton(tr("Redo"))) perform(Action::redo, work, ui);
+  ImGui::BeginDisabled(!editor.session.canRedo());
+  if (ImGui::SmallButton(tr("Redo"))) perform(Action::redo, editor, ui);
   ImGui::EndDisabled();
   ImGui::TextColored(scoreColor(score, ui.preferences.theme), "%s", text.c_str());
   tooltip(score.help.c_str());
@@ -147,7 +147,7 @@ void rightEnd(Workspace& work, UiState& ui) {
 
 }  // namespace
 
-void drawMenuBar(Workspace& work, UiState& ui) {
+void drawMenuBar(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.menu;
   if (rect.empty()) return;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -162,9 +162,9 @@ void drawMenuBar(Workspace& work, UiState& ui) {
                    ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBringToFrontOnFocus);
   if (ImGui::BeginMenuBar()) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);  // of the menus that open, not of the bar
-    menus(work, ui);
+    menus(editor, ui);
     ImGui::PopStyleVar();
-    rightEnd(work, ui);
+    rightEnd(editor, ui);
     ImGui::EndMenuBar();
   }
   ImGui::End();

@@ -42,8 +42,8 @@ struct ShapeRows {
 
 }  // namespace
 
-void drawMirrorProperties(Workspace& work, UiState& ui) {
-  Level level = work.session.level();
+void drawMirrorProperties(Editor& editor, UiState& ui) {
+  Level level = editor.session.level();
   MirrorShape& shape = level.optic.shape;
   bool changed = false;
   bool reflects = level.optic.kind == OpticKind::mirror;
@@ -70,7 +70,7 @@ void drawMirrorProperties(Workspace& work, UiState& ui) {
     changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {0, 1, 0.01, "%.2f"},
                          "The share of the light that it gives back.");
   }
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace anamorph

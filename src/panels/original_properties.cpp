@@ -53,7 +53,7 @@ struct ShapeRows {
 };
 
 // Another built-in shape fits the old one's box; a mesh comes from the file browser.
-bool shapeRows(Workspace& work, UiState& ui, Level& level) {
+bool shapeRows(Editor& editor, UiState& ui, Level& level) {
   OriginalShape& shape = level.original.shape;
   std::vector<const char*> names{"Box", "Sphere", "Torus knot", "Letter F", "Pawn"};
   const bool isFile = std::holds_alternative<FileShape>(shape);
@@ -61,16 +61,16 @@ bool shapeRows(Workspace& work, UiState& ui, Level& level) {
   int kind = static_cast<int>(shape.index());
   if (choiceRow("Shape", kind, names, "What is to be seen in the mirror.") &&
       kind != static_cast<int>(shape.index())) {
-    level = withBuiltInOriginal(level, static_cast<std::size_t>(kind), originalBox(work));
+    level = withBuiltInOriginal(level, static_cast<std::size_t>(kind), originalBox(editor));
     return true;
   }
   const bool changed = std::visit(ShapeRows{}, shape);
-  const Products& products = work.studio.products();
+  const Products& products = editor.updater.products();
   if (!products.original.mesh && products.problem) problemText(ui, *products.problem);  // it cannot be read
   if (wideButton(
           isFile ? "Another mesh..." : "A mesh from a file...",
           "OBJ, STL or PLY, fitted to where the original is now. It can be dropped on the window, too.")) {
-    chooseOriginal(work, ui);
+    chooseOriginal(editor, ui);
   }
   return changed;
 }
@@ -100,27 +100,27 @@ bool placementRows(Placement& placement) {
 
 }  // namespace
 
-void drawOriginalProperties(Workspace& work, UiState& ui) {
-  Level level = work.session.level();
+void drawOriginalProperties(Editor& editor, UiState& ui) {
+  Level level = editor.session.level();
   bool changed = false;
-  if (section(ui, "Original")) changed |= shapeRows(work, ui, level);
+  if (section(ui, "Original")) changed |= shapeRows(editor, ui, level);
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
-    problemText(ui, missedText(work.studio.products()));
-    fitButton(work, ui);
-    behindButton(work);
+    problemText(ui, missedText(editor.updater.products()));
+    fitButton(editor, ui);
+    behindButton(editor);
   }
   if (section(ui, "Shown as")) {
-    int look = static_cast<int>(work.display.originalLook);
+    int look = static_cast<int>(editor.display.originalLook);
     if (choiceRow("Original", look, {"Solid", "Ghost", "Hidden"},
                   "In the 3D view. A ghost shines through the mirror in front of it.")) {
-      work.display.originalLook = static_cast<OriginalLook>(look);
+      editor.display.originalLook = static_cast<OriginalLook>(look);
     }
-    checkRow("Seen in the mirror", work.display.originalInMirror,
+    checkRow("Seen in the mirror", editor.display.originalInMirror,
              "Whether the mirror of the 3D view reflects the original too.");
   }
   if (section(ui, "Material", false)) changed |= materialRows(level.original.material);
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace anamorph

@@ -60,36 +60,36 @@ void drawSplitters(UiState& ui) {
 
 }  // namespace
 
-void drawPanels(Workspace& work, UiState& ui) {
+void drawPanels(Editor& editor, UiState& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          ui.panelsHidden, work.preview.expanded, static_cast<int>(ui.levels.size())});
+                          ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size())});
   updateKeyFocus(ui);
-  updateHighlight(work, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
-  drawViewPanel(work, ui);
-  drawMenuBar(work, ui);
-  drawLevelPanel(work, ui);
-  drawLessonPanel(work, ui);
-  drawPropertiesPanel(work, ui);
-  drawPreviewPanel(work, ui);
-  drawStatusLine(work, ui);
+  updateHighlight(editor, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
+  drawViewPanel(editor, ui);
+  drawMenuBar(editor, ui);
+  drawLevelPanel(editor, ui);
+  drawLessonPanel(editor, ui);
+  drawPropertiesPanel(editor, ui);
+  drawPreviewPanel(editor, ui);
+  drawStatusLine(editor, ui);
   drawSplitters(ui);
-  drawRenderWindow(work, ui);
-  drawExportWindow(work, ui);
-  drawHelpWindow(work, ui);
-  drawProgressWindow(work, ui);
-  drawPresenter(work, ui);
-  drawTour(work, ui);
-  drawDialogs(work, ui);
+  drawRenderWindow(editor, ui);
+  drawExportWindow(editor, ui);
+  drawHelpWindow(editor, ui);
+  drawProgressWindow(editor, ui);
+  drawPresenter(editor, ui);
+  drawTour(editor, ui);
+  drawDialogs(editor, ui);
   // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
   // all of it: the field itself would only write the digits that it had shown.
-  if (!work.session.changing() || ui.gizmoDrag || work.lesson.play || ImGui::IsAnyItemActive()) return;
+  if (!editor.session.changing() || ui.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-    work.session.cancelChange();
+    editor.session.cancelChange();
   } else {
-    work.session.finishChange();
+    editor.session.finishChange();
   }
 }
 

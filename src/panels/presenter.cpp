@@ -40,10 +40,10 @@ void words(const LessonRun& run, const UiState& ui) {
 
 }  // namespace
 
-void drawPresenter(Workspace& work, UiState& ui) {
+void drawPresenter(Editor& editor, UiState& ui) {
   if (!ui.presenting) return;
   drawMouseMark(ui);
-  if (work.lesson.empty()) return;
+  if (editor.lesson.empty()) return;
   const Rect& view = ui.layout.view;
   const float s = static_cast<float>(ui.scale), width = std::min(view.width - 40 * s, 1000 * s);
   ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height - 58 * s}, ImGuiCond_Always,
@@ -55,7 +55,7 @@ void drawPresenter(Workspace& work, UiState& ui) {
   ImGui::Begin("##presenter", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
-  words(work.lesson, ui);
+  words(editor.lesson, ui);
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

@@ -43,8 +43,8 @@ void drawCell(const Rect& r, const Camera& camera, const GridCell& cell, ImU32 c
 }
 
 // Hover outlines a cell of the pixel grid, a click isolates its rays, a second click shows all again.
-void pickCell(Workspace& work, UiState& ui, const Rect& r) {
-  const Camera& camera = work.session.level().camera;
+void pickCell(Editor& editor, UiState& ui, const Rect& r) {
+  const Camera& camera = editor.session.level().camera;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const GridCell cell{
       std::clamp(static_cast<int>((mouse.x - r.x) / r.width * static_cast<float>(camera.gridColumns)), 0,
@@ -53,27 +53,27 @@ void pickCell(Workspace& work, UiState& ui, const Rect& r) {
                  camera.gridRows - 1)};
   ui.hoveredCell = cell;
   if (!ImGui::IsItemClicked(0)) return;
-  work.cell = work.cell == cell ? std::nullopt : std::optional(cell);
-  work.animationSeconds = 0;
+  editor.cell = editor.cell == cell ? std::nullopt : std::optional(cell);
+  editor.animationSeconds = 0;
 }
 
 // The line between both pictures, with a grip.
-void drawWipe(Workspace& work, const UiState& ui, const Rect& r) {
-  const float x = r.x + static_cast<float>(work.preview.wipe) * r.width,
+void drawWipe(Editor& editor, const UiState& ui, const Rect& r) {
+  const float x = r.x + static_cast<float>(editor.preview.wipe) * r.width,
               grip = 7 * static_cast<float>(ui.scale);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddLine({x, r.y}, {x, r.y + r.height}, IM_COL32(255, 255, 255, 230), 2);
   list->AddCircleFilled({x, r.y + r.height / 2}, grip, IM_COL32(255, 255, 255, 240));
 }
 
-void drawImages(Workspace& work, UiState& ui, const Rect& r) {
+void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   const UiTextures& t = ui.textures;
   ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.width, r.y + r.height},
                                             ImGui::GetColorU32(ImGuiCol_FrameBg));
   ImGui::SetCursorScreenPos({r.x, r.y});
   ImGui::InvisibleButton("image", {r.width, r.height});
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
-  switch (work.preview.tab) {
+  switch (editor.preview.tab) {
     case PreviewTab::reflection:
       drawPicture(t.reflection, r);
       break;
@@ -84,17 +84,17 @@ void drawImages(Workspace& work, UiState& ui, const Rect& r) {
       drawPicture(t.difference, r);
       break;
     case PreviewTab::wipe:
-      if (active) work.preview.wipe = std::clamp((ImGui::GetIO().MousePos.x - r.x) / r.width, 0.0f, 1.0f);
-      drawPicture(t.reflection, r, 0, static_cast<float>(work.preview.wipe));
-      drawPicture(t.original, r, static_cast<float>(work.preview.wipe), 1);
-      drawWipe(work, ui, r);
+      if (active) editor.preview.wipe = std::clamp((ImGui::GetIO().MousePos.x - r.x) / r.width, 0.0f, 1.0f);
+      drawPicture(t.reflection, r, 0, static_cast<float>(editor.preview.wipe));
+      drawPicture(t.original, r, static_cast<float>(editor.preview.wipe), 1);
+      drawWipe(editor, ui, r);
       return;
   }
-  const Camera& camera = work.session.level().camera;
+  const Camera& camera = editor.session.level().camera;
   ui.hoveredCell.reset();
-  if (hovered) pickCell(work, ui, r);
+  if (hovered) pickCell(editor, ui, r);
   if (ui.hoveredCell) drawCell(r, camera, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
-  if (work.cell) drawCell(r, camera, *work.cell, IM_COL32(255, 217, 51, 255), 2.5f);
+  if (editor.cell) drawCell(r, camera, *editor.cell, IM_COL32(255, 217, 51, 255), 2.5f);
 }
 
 // `parts`: they are shown below; else the tooltip has them.
@@ -107,7 +107,7 @@ void scoreBar(const UiState& ui, const MatchScore& score, bool parts) {
   list->AddRectFilled(p, {p.x + width, p.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
   ImVec4 fill = scoreColor(score, ui.preferences.theme);
   fill.w = 0.45f;
-  const float filled = width * static_cast<float>(std::clamp(score.share, 0.0, 1.0));
+  const float filled = width * static_cast<float>(std::clamp(score.fraction, 0.0, 1.0));
   if (filled > 1)
     list->AddRectFilled(p, {p.x + filled, p.y + height}, ImGui::ColorConvertFloat4ToU32(fill), rounding);
   const std::string text = scoreText(score);
@@ -147,35 +147,35 @@ void scoreParts(const UiState& ui, const MatchScore& score) {
   ImGui::EndTable();
 }
 
-void sizeAndRender(Workspace& work, UiState& ui) {
+void sizeAndRender(Editor& editor, UiState& ui) {
   constexpr int sizes[] = {0, 64, 128, 256, 512, 1024};
   const char* names[] = {tr("as the grid"), "64 px", "128 px", "256 px", "512 px", "1024 px"};
-  int chosen =
-      static_cast<int>(std::find(std::begin(sizes), std::end(sizes), work.preview.size) - std::begin(sizes));
+  int chosen = static_cast<int>(std::find(std::begin(sizes), std::end(sizes), editor.preview.size) -
+                                std::begin(sizes));
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::SetNextItemWidth(0.36f * width);
-  if (ImGui::Combo("##size", &chosen, names, 6)) work.preview.size = sizes[std::clamp(chosen, 0, 5)];
+  if (ImGui::Combo("##size", &chosen, names, 6)) editor.preview.size = sizes[std::clamp(chosen, 0, 5)];
   tooltip("The longer side of these pictures.");
   ImGui::SameLine();
-  if (ImGui::Button(tr("Render image"))) perform(Action::renderImage, work, ui);
+  if (ImGui::Button(tr("Render image"))) perform(Action::renderImage, editor, ui);
   tooltip("A high-resolution picture, to zoom into and to save.");
   ImGui::SameLine();
-  if (ImGui::Button(tr(work.preview.expanded ? "Smaller" : "Larger"), {-FLT_MIN, 0}))
-    work.preview.expanded = !work.preview.expanded;
+  if (ImGui::Button(tr(editor.preview.expanded ? "Smaller" : "Larger"), {-FLT_MIN, 0}))
+    editor.preview.expanded = !editor.preview.expanded;
 }
 
 }  // namespace
 
-void drawPreviewPanel(Workspace& work, UiState& ui) {
+void drawPreviewPanel(Editor& editor, UiState& ui) {
   if (!beginPanel("preview", ui.layout.preview, true, false)) {
     ui.hoveredCell.reset();
     return;
   }
-  int tab = static_cast<int>(work.preview.tab);
+  int tab = static_cast<int>(editor.preview.tab);
   if (segmentedControl("tabs", tab, {"Reflection", "Original", "Difference", "Wipe"}, 4)) {
-    work.preview.tab = static_cast<PreviewTab>(tab);
+    editor.preview.tab = static_cast<PreviewTab>(tab);
   }
-  const MatchScore score = matchScore(work.studio.products());
+  const MatchScore score = matchScore(editor.updater.products());
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
   const bool parts = havePartsRoom(ui, score, room);
@@ -183,11 +183,11 @@ void drawPreviewPanel(Workspace& work, UiState& ui) {
   if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  drawImages(work, ui, imageRect(work.session.level().camera, at, room));
+  drawImages(editor, ui, imageRect(editor.session.level().camera, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
   scoreBar(ui, score, parts);
   if (parts) scoreParts(ui, score);
-  sizeAndRender(work, ui);
+  sizeAndRender(editor, ui);
   ImGui::End();
 }
 

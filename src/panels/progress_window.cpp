@@ -13,8 +13,8 @@
 namespace anamorph {
 namespace {
 
-void lessonRow(const LevelEntry& entry, const Workspace& work, const UiState& ui) {
-  const LessonScore score = scoreOf(entry.lesson, work.progress);
+void lessonRow(const LevelEntry& entry, const Editor& editor, const UiState& ui) {
+  const LessonScore score = scoreOf(entry.lesson, editor.progress);
   const float size = ImGui::GetFontSize();
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -33,8 +33,8 @@ void lessonRow(const LevelEntry& entry, const Workspace& work, const UiState& ui
 }
 
 // Asked twice, because it cannot be undone.
-void resetButton(Workspace& work, UiState& ui) {
-  const bool any = !work.progress.empty();
+void resetButton(Editor& editor, UiState& ui) {
+  const bool any = !editor.progress.empty();
   if (!any) ui.resetAsked = false;
   if (!ui.resetAsked) {
     if (wideButton("Reset progress", "Forget all steps that were done.", any)) ui.resetAsked = true;
@@ -42,8 +42,8 @@ void resetButton(Workspace& work, UiState& ui) {
   }
   quietText(ui, "All points and badges will be gone.");
   if (wideButton("Yes, forget them")) {
-    work.progress.clear();
-    openStep(work, 0);
+    editor.progress.clear();
+    openStep(editor, 0);
     ui.resetAsked = false;
   }
   if (wideButton("Keep them")) ui.resetAsked = false;
@@ -51,7 +51,7 @@ void resetButton(Workspace& work, UiState& ui) {
 
 }  // namespace
 
-void drawProgressWindow(Workspace& work, UiState& ui) {
+void drawProgressWindow(Editor& editor, UiState& ui) {
   if (!ui.progressOpen) {
     ui.resetAsked = false;
     return;
@@ -64,11 +64,11 @@ void drawProgressWindow(Workspace& work, UiState& ui) {
       ImGui::TableSetupColumn("steps", ImGuiTableColumnFlags_WidthFixed, 110 * s);
       ImGui::TableSetupColumn("points", ImGuiTableColumnFlags_WidthFixed, 120 * s);
       for (const LevelEntry& entry : ui.levels) {
-        if (!entry.lesson.steps.empty()) lessonRow(entry, work, ui);
+        if (!entry.lesson.steps.empty()) lessonRow(entry, editor, ui);
       }
       ImGui::EndTable();
     }
-    resetButton(work, ui);
+    resetButton(editor, ui);
   }
   ImGui::End();
 }

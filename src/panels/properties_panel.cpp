@@ -48,30 +48,30 @@ Selection selectionOf(PropertyTab tab, const Selection& current) {
 
 }  // namespace
 
-void openTab(Workspace& work, UiState& ui, PropertyTab tab) {
+void openTab(Editor& editor, UiState& ui, PropertyTab tab) {
   ui.tab = tab;
-  work.selection = ui.tabSelection = selectionOf(tab, work.selection);
+  editor.selection = ui.tabSelection = selectionOf(tab, editor.selection);
 }
 
-void drawPropertiesPanel(Workspace& work, UiState& ui) {
-  if (!(ui.tabSelection == work.selection)) {
-    ui.tab = tabOf(work.selection, ui.tab);
-    ui.tabSelection = work.selection;
+void drawPropertiesPanel(Editor& editor, UiState& ui) {
+  if (!(ui.tabSelection == editor.selection)) {
+    ui.tab = tabOf(editor.selection, ui.tab);
+    ui.tabSelection = editor.selection;
   }
   if (!beginPanel("properties", ui.layout.properties)) return;
   int tab = static_cast<int>(ui.tab);
-  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
+  const bool reflects = editor.session.level().optic.kind == OpticKind::mirror;
   const char* optic = reflects ? "Mirror" : "Canvas";
   if (segmentedControl("tabs", tab, {"Eye", "Original", optic, "Sculpture", "Lights", "Rays", "View"}, 4)) {
-    openTab(work, ui, static_cast<PropertyTab>(tab));
+    openTab(editor, ui, static_cast<PropertyTab>(tab));
   }
-  using Draw = void (*)(Workspace&, UiState&);
+  using Draw = void (*)(Editor&, UiState&);
   constexpr std::array<Draw, 7> tabs{drawEyeProperties,       drawOriginalProperties, drawMirrorProperties,
                                      drawSculptureProperties, drawLightProperties,    drawRayProperties,
                                      drawViewProperties};
   ImGui::PushID(tab);  // every tab has its own place to be scrolled to
   ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-  tabs[static_cast<std::size_t>(tab)](work, ui);
+  tabs[static_cast<std::size_t>(tab)](editor, ui);
   ImGui::EndChild();
   ImGui::PopID();
   ImGui::End();

@@ -15,28 +15,29 @@ void styleRows(RaySettings& rays) {
   checkRow("In the colour they bring", rays.colorByContribution, "Instead of the colour of their kind.");
 }
 
-void animationRows(Workspace& work) {
-  RaySettings& rays = work.rays;
-  if (checkRow("Animate", rays.animate, "The rays grow from the eye.")) work.animationSeconds = 0;
+void animationRows(Editor& editor) {
+  RaySettings& rays = editor.rays;
+  if (checkRow("Animate", rays.animate, "The rays grow from the eye.")) editor.animationSeconds = 0;
   if (!rays.animate) return;
-  if (checkRow("One after the other", rays.sequential)) work.animationSeconds = 0;
+  if (checkRow("One after the other", rays.sequential)) editor.animationSeconds = 0;
   checkRow("Again and again", rays.loop);
   sliderRow("Speed", rays.speed, {0, 10, 0.1, "%.1f / s"}, "Scene units a second.");
-  if (wideButton(work.animationPaused ? "Go on" : "Pause")) work.animationPaused = !work.animationPaused;
-  if (wideButton("From the start")) work.animationSeconds = 0;
+  if (wideButton(editor.animationPaused ? "Go on" : "Pause"))
+    editor.animationPaused = !editor.animationPaused;
+  if (wideButton("From the start")) editor.animationSeconds = 0;
 }
 
 }  // namespace
 
-void drawRayProperties(Workspace& work, UiState& ui) {
-  RaySettings& rays = work.rays;
+void drawRayProperties(Editor& editor, UiState& ui) {
+  RaySettings& rays = editor.rays;
   if (section(ui, "Rays")) {
     checkRow("Show rays", rays.show);
     int source = static_cast<int>(rays.source);
     if (choiceRow("Which", source, {"Through the pixels", "Through vertices"},
                   "Pixels: the rays that make the image. Vertices: the rays that make the sculpture.")) {
       rays.source = static_cast<RaySource>(source);
-      work.animationSeconds = 0;
+      editor.animationSeconds = 0;
     }
     if (rays.source == RaySource::vertices)
       integerRow("How many", rays.vertexCount, 1, 400, "Spread evenly over the original's vertices.");
@@ -46,7 +47,7 @@ void drawRayProperties(Workspace& work, UiState& ui) {
     if (rays.hideNegligible) sliderRow("Share", rays.negligible, {0, 1, 0.001, "%.3f"});
   }
   if (section(ui, "Style")) styleRows(rays);
-  if (section(ui, "Animation")) animationRows(work);
+  if (section(ui, "Animation")) animationRows(editor);
 }
 
 }  // namespace anamorph

@@ -18,7 +18,7 @@ void settings(UiState& ui) {
   integerRow("Longer side", dialog.longerSide, 64, 8192, "In pixels.");
   integerRow("Samples", dialog.samplesPerAxis, 1, 4, "Along each side of a pixel: 3 means 9 rays a pixel.");
   if (dialog.running) {
-    ImGui::ProgressBar(static_cast<float>(dialog.share), {-80 * static_cast<float>(ui.scale), 0});
+    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-80 * static_cast<float>(ui.scale), 0});
     ImGui::SameLine();
     if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelRender = true;
   } else if (wideButton("Render")) {
@@ -60,17 +60,17 @@ void picture(UiState& ui, const ImVec2& room) {
 }
 
 // Proposes a name beside the last picture.
-void saveButton(const Workspace& work, UiState& ui) {
+void saveButton(const Editor& editor, UiState& ui) {
   RenderDialog& dialog = ui.render;
   if (!wideButton("Save as...", "", ui.textures.render.id != 0 && !dialog.running)) return;
   dialog.choosing = true;
   browseFiles(ui, FilePurpose::saveImage,
-              proposedExport(ui, dialog.folder, work.session.path(), "render.png"));
+              proposedExport(ui, dialog.folder, editor.session.path(), "render.png"));
 }
 
 }  // namespace
 
-void drawRenderWindow(Workspace& work, UiState& ui) {
+void drawRenderWindow(Editor& editor, UiState& ui) {
   RenderDialog& dialog = ui.render;
   if (const auto path = awaitChosenFile(ui, FilePurpose::saveImage, dialog.choosing)) {
     dialog.folder = path->parent_path();
@@ -82,7 +82,7 @@ void drawRenderWindow(Workspace& work, UiState& ui) {
     const float below = 2 * ImGui::GetFrameHeightWithSpacing();
     const ImVec2 avail = ImGui::GetContentRegionAvail();
     picture(ui, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
-    saveButton(work, ui);
+    saveButton(editor, ui);
     quietText(ui, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
   }
   ImGui::End();

@@ -32,8 +32,8 @@ bool deformationRows(SculptureSettings& sculpture) {
 }
 
 // Each is right when its box is ticked. Folded where a level opens without mistakes to find.
-bool formulaRows(const UiState& ui, const Workspace& work, Mistakes& mistakes) {
-  ImGui::PushID(work.session.generation());
+bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
+  ImGui::PushID(editor.session.generation());
   const bool open = section(ui, "Formulas", mistakes.any());
   ImGui::PopID();
   if (!open) return false;
@@ -56,8 +56,8 @@ bool formulaRows(const UiState& ui, const Workspace& work, Mistakes& mistakes) {
   return changed;
 }
 
-void resultRows(const Workspace& work) {
-  const Products& products = work.studio.products();
+void resultRows(const Editor& editor) {
+  const Products& products = editor.updater.products();
   if (!products.sculpture.sculpture) return;
   const Mesh& mesh = products.sculpture.sculpture->mesh;
   const Box box = boundingBox(mesh.positions);
@@ -72,8 +72,8 @@ void resultRows(const Workspace& work) {
           "What became of the original's own vertices.");
 }
 
-void constructionRows(Workspace& work, const UiState& ui) {
-  const auto construction = currentConstruction(work);
+void constructionRows(Editor& editor, const UiState& ui) {
+  const auto construction = currentConstruction(editor);
   if (!construction) {
     quietText(
         ui,
@@ -86,29 +86,29 @@ void constructionRows(Workspace& work, const UiState& ui) {
     paragraph(construction->explanation);
     ImGui::PopStyleColor();
   }
-  if (wideButton("Let it go", "Esc does the same.")) work.point.reset();
+  if (wideButton("Let it go", "Esc does the same.")) editor.point.reset();
 }
 
 }  // namespace
 
-void drawSculptureProperties(Workspace& work, UiState& ui) {
-  Level level = work.session.level();
+void drawSculptureProperties(Editor& editor, UiState& ui) {
+  Level level = editor.session.level();
   bool changed = false;
   if (section(ui, "Deformation")) changed |= deformationRows(level.sculpture);
-  changed |= formulaRows(ui, work, level.sculpture.mistakes);
-  if (section(ui, "Result")) resultRows(work);
-  if (section(ui, "Vertex ray")) constructionRows(work, ui);
+  changed |= formulaRows(ui, editor, level.sculpture.mistakes);
+  if (section(ui, "Result")) resultRows(editor);
+  if (section(ui, "Vertex ray")) constructionRows(editor, ui);
   if (section(ui, "Shown as")) {
     sliderRow(
-        "Morph", work.display.morph, {0, 1, 0.01, "%.2f"},
+        "Morph", editor.display.morph, {0, 1, 0.01, "%.2f"},
         "0 is the original, 1 the sculpture; in between every vertex is on its way along its vertex ray.");
-    checkRow("Sculpture", work.display.sculpture);
-    checkRow("Triangle edges", work.display.wireframe, "How fine the sculpture is.");
-    checkRow("Colour by status", work.display.statusColors,
+    checkRow("Sculpture", editor.display.sculpture);
+    checkRow("Triangle edges", editor.display.wireframe, "How fine the sculpture is.");
+    checkRow("Colour by status", editor.display.statusColors,
              "Which vertices are mapped, and why others are not.");
   }
   if (section(ui, "Material", false)) changed |= materialRows(level.sculpture.material);
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace anamorph

@@ -29,42 +29,43 @@ std::string figures(const UiState& ui, const Products& products) {
   return text;
 }
 
-void progress(Workspace& work, const UiState& ui) {
+void progress(Editor& editor, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(work.studio.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::ProgressBar(static_cast<float>(editor.updater.fraction()), {110 * s, ImGui::GetTextLineHeight()},
+                     "");
   ImGui::SameLine();
-  if (ImGui::SmallButton(tr("Cancel"))) work.studio.cancel();
+  if (ImGui::SmallButton(tr("Cancel"))) editor.updater.cancel();
 }
 
 // An edit that is made in the background.
-void jobProgress(Workspace& work, const UiState& ui) {
+void jobProgress(Editor& editor, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   ImGui::SameLine(0, 24 * s);
-  ImGui::TextUnformatted(work.job.name().c_str());
+  ImGui::TextUnformatted(editor.job.name().c_str());
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(work.job.share()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {110 * s, ImGui::GetTextLineHeight()}, "");
   ImGui::SameLine();
   ImGui::PushID("job");
-  if (ImGui::SmallButton(tr("Cancel"))) work.job.cancel();
+  if (ImGui::SmallButton(tr("Cancel"))) editor.job.cancel();
   ImGui::PopID();
 }
 
 }  // namespace
 
-void drawStatusLine(Workspace& work, UiState& ui) {
+void drawStatusLine(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.status;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       {ImGui::GetStyle().WindowPadding.x, 4 * static_cast<float>(ui.scale)});
   const bool shown = beginPanel("status", rect, true, false);
   ImGui::PopStyleVar();
   if (!shown) return;
-  const Products& products = work.studio.products();
+  const Products& products = editor.updater.products();
   const std::string state = stateText(products);
   ImGui::TextUnformatted(state.c_str());
-  if (work.studio.busy() && !products.complete && !ui.headless) progress(work, ui);
-  if (work.job.busy()) jobProgress(work, ui);
-  const std::string message = !work.message.empty()        ? work.message
+  if (editor.updater.busy() && !products.complete && !ui.headless) progress(editor, ui);
+  if (editor.job.busy()) jobProgress(editor, ui);
+  const std::string message = !editor.message.empty()      ? editor.message
                               : !products.warnings.empty() ? products.warnings.front()
                                                            : std::string();
   const std::string right = figures(ui, products);
@@ -73,8 +74,8 @@ void drawStatusLine(Workspace& work, UiState& ui) {
   if (!message.empty()) {
     ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
     const ImVec2 p = ImGui::GetCursorScreenPos();
-    const ImVec4 color =
-        work.message.empty() ? ink::middling(ui.preferences.theme) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const ImVec4 color = editor.message.empty() ? ink::middling(ui.preferences.theme)
+                                                : ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const float end = rect.x + rightX - 12 * static_cast<float>(ui.scale);
     ImGui::PushClipRect(p, {end, rect.y + rect.height}, true);
     ImGui::TextColored(color, "%s", message.c_str());

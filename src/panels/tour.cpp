@@ -86,7 +86,7 @@ void drawCard(UiState& ui, const Card& card) {
 
 }  // namespace
 
-void drawTour(Workspace&, UiState& ui) {
+void drawTour(Editor&, UiState& ui) {
   if (ui.tourCard < 0) return;
   const auto index = static_cast<std::size_t>(ui.tourCard);
   if (index >= cards.size()) return finish(ui);

@@ -137,7 +137,7 @@ struct ExportDialog {
   std::filesystem::path folder;  ///< of the last export; empty: none yet
   bool choosing = false;         ///< the file browser is open for it
   bool running = false;
-  double share = 0;
+  double fraction = 0;
   std::string message;                                    ///< what came of the last one
   std::vector<std::string> lines;                         ///< and what else is to be said about it
   std::vector<std::pair<std::string, std::string>> rows;  ///< figures, in two columns
@@ -159,7 +159,7 @@ struct RenderDialog {
   int longerSide = 1024;
   int samplesPerAxis = 3;
   bool running = false;
-  double share = 0;
+  double fraction = 0;
   float zoom = 1;
   float panX = 0, panY = 0;
   std::filesystem::path folder;  ///< of the last picture saved; empty: none yet

@@ -14,9 +14,9 @@
 namespace anamorph {
 namespace {
 
-std::string leftTitles(const Workspace& work) {
+std::string leftTitles(const Editor& editor) {
   std::string titles;
-  for (const auto& [path, level] : work.leftLevels) {
+  for (const auto& [path, level] : editor.leftLevels) {
     titles += (titles.empty() ? "" : ", ") + tr(level.title.empty() ? path.stem().string() : level.title);
   }
   return titles;
@@ -24,25 +24,25 @@ std::string leftTitles(const Workspace& work) {
 
 enum class Answer { none = -1, save, drop, cancel };
 
-void aboutThisLevel(const Workspace& work, const UiState& ui) {
-  const Level& level = work.session.level();
+void aboutThisLevel(const Editor& editor, const UiState& ui) {
+  const Level& level = editor.session.level();
   const std::string title = level.title.empty() ? std::string(tr("This level")) : tr(level.title);
   paragraph(fmt::format(
       fmt::runtime(tr("\"{}\" has changes that are not saved. Without saving they are lost.")), title));
-  if (work.session.isInstalled()) {
+  if (editor.session.isInstalled()) {
     quietText(ui, "The level itself stays as it is: you save a copy of your own.");
-  } else if (!work.session.path().empty()) {
-    quietText(ui, work.session.path().c_str());
+  } else if (!editor.session.path().empty()) {
+    quietText(ui, editor.session.path().c_str());
   }
 }
 
-Answer ask(const Workspace& work, const UiState& ui) {
-  const bool modified = work.session.modified();
-  if (modified) aboutThisLevel(work, ui);
-  if (ui.unsaved->next == UnsavedQuestion::Next::quit && !work.leftLevels.empty()) {
+Answer ask(const Editor& editor, const UiState& ui) {
+  const bool modified = editor.session.modified();
+  if (modified) aboutThisLevel(editor, ui);
+  if (ui.unsaved->next == UnsavedQuestion::Next::quit && !editor.leftLevels.empty()) {
     paragraph(fmt::format(
         fmt::runtime(tr("Changed and left without saving: {}. The next time they are as they were.")),
-        leftTitles(work)));
+        leftTitles(editor)));
   }
   ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
   const bool enter = dialogKey(ui, keys::enter) || dialogKey(ui, keys::padEnter);
@@ -58,16 +58,16 @@ Answer ask(const Workspace& work, const UiState& ui) {
 
 }  // namespace
 
-void drawUnsavedDialog(Workspace& work, UiState& ui) {
+void drawUnsavedDialog(Editor& editor, UiState& ui) {
   if (!beginDialog(ui, "Save the changes?", 480)) return;
-  const Answer answer = ask(work, ui);
+  const Answer answer = ask(editor, ui);
   if (answer != Answer::none) ImGui::CloseCurrentPopup();
   endDialog();
   if (answer == Answer::cancel) ui.unsaved.reset();
   if (answer == Answer::drop) ui.unsaved->answer = UnsavedQuestion::Answer::drop;
   if (answer == Answer::save) {
     ui.unsaved->answer = UnsavedQuestion::Answer::save;
-    saveCurrent(work, ui);
+    saveCurrent(editor, ui);
   }
 }
 

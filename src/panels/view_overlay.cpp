@@ -24,8 +24,8 @@ constexpr std::array<ImU32, 4> axisColors{IM_COL32(226, 74, 70, 255), IM_COL32(7
 // Draws in pixels of the view.
 class Ink {
  public:
-  Ink(const Workspace& work, const UiState& ui)
-      : projection_(work.pose, std::max(1, work.viewWidth), std::max(1, work.viewHeight)),
+  Ink(const Editor& editor, const UiState& ui)
+      : projection_(editor.pose, std::max(1, editor.viewWidth), std::max(1, editor.viewHeight)),
         rect_(ui.layout.view),
         scale_(static_cast<float>(ui.scale)),
         list_(ImGui::GetWindowDrawList()) {}
@@ -146,15 +146,15 @@ void drawConstruction(const Ink& ink, const Construction& construction) {
 }
 
 // A cross where the RT camera looks at, while it is selected.
-void drawAim(const Ink& ink, const Workspace& work) {
-  if (work.selection.part != Part::eye && work.selection.part != Part::aim) return;
-  if (!work.display.rtCamera || work.lookingThrough) return;
-  const auto pixel = ink.find(work.session.level().camera.target);
+void drawAim(const Ink& ink, const Editor& editor) {
+  if (editor.selection.part != Part::eye && editor.selection.part != Part::aim) return;
+  if (!editor.display.rtCamera || editor.lookingThrough) return;
+  const auto pixel = ink.find(editor.session.level().camera.target);
   if (!pixel) return;
   const ImVec2 p = ink.at(*pixel);
   const float r = 7 * ink.scale();
   const ImU32 color =
-      work.selection.part == Part::aim ? IM_COL32(255, 89, 0, 255) : IM_COL32(255, 255, 255, 220);
+      editor.selection.part == Part::aim ? IM_COL32(255, 89, 0, 255) : IM_COL32(255, 255, 255, 220);
   ink.list().AddCircle(p, r, color, 0, 1.8f * ink.scale());
   ink.list().AddLine({p.x - 1.6f * r, p.y}, {p.x + 1.6f * r, p.y}, color, 1.4f * ink.scale());
   ink.list().AddLine({p.x, p.y - 1.6f * r}, {p.x, p.y + 1.6f * r}, color, 1.4f * ink.scale());
@@ -183,9 +183,9 @@ void drawAxes(const Ink& ink, const Rect& rect) {
 }
 
 // While the view is the RT camera's: the border of its image, and all beside it dimmed.
-void drawImageFrame(const Ink& ink, const Workspace& work, const Rect& rect) {
-  if (!work.lookingThrough || work.flight) return;
-  const Camera& camera = work.session.level().camera;
+void drawImageFrame(const Ink& ink, const Editor& editor, const Rect& rect) {
+  if (!editor.lookingThrough || editor.flight) return;
+  const Camera& camera = editor.session.level().camera;
   const double imageAspect = double(camera.gridColumns) / camera.gridRows;
   const double half = std::min(0.5 * rect.height * imageAspect, 0.5 * rect.width);
   const float w = static_cast<float>(half), h = static_cast<float>(half / imageAspect);
@@ -201,22 +201,22 @@ void drawImageFrame(const Ink& ink, const Workspace& work, const Rect& rect) {
 
 }  // namespace
 
-void drawViewOverlay(Workspace& work, UiState& ui) {
+void drawViewOverlay(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.view;
   if (rect.empty()) return;
   ImGui::Begin("view");
-  const Ink ink(work, ui);
+  const Ink ink(editor, ui);
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
-  drawImageFrame(ink, work, rect);
-  drawAim(ink, work);
-  if (const auto construction = currentConstruction(work)) drawConstruction(ink, *construction);
-  drawGizmo(ink, emphasised(currentGizmo(work, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
+  drawImageFrame(ink, editor, rect);
+  drawAim(ink, editor);
+  if (const auto construction = currentConstruction(editor)) drawConstruction(ink, *construction);
+  drawGizmo(ink, emphasised(currentGizmo(editor, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   ImGui::End();
-  if (!(ui.headless && ui.panelsHidden)) drawViewButtons(work, ui);
-  drawProblem(work, ui);
-  if (ui.preferences.legend && work.rays.show && !ui.bare) drawLegend(work, ui);
+  if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
+  drawProblem(editor, ui);
+  if (ui.preferences.legend && editor.rays.show && !ui.bare) drawLegend(editor, ui);
 }
 
 }  // namespace anamorph

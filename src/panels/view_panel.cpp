@@ -13,8 +13,8 @@ namespace {
 
 constexpr float dragThreshold = 4;  // pixels that the mouse may move in a click
 
-ViewProjection projectionOf(const Workspace& work) {
-  return {work.pose, std::max(1, work.viewWidth), std::max(1, work.viewHeight)};
+ViewProjection projectionOf(const Editor& editor) {
+  return {editor.pose, std::max(1, editor.viewWidth), std::max(1, editor.viewHeight)};
 }
 
 Pixel mouseIn(const Rect& rect) {
@@ -32,64 +32,64 @@ DragKeys keysOf(const UiState& ui) {
   return keys;
 }
 
-void startGizmoDrag(Workspace& work, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
+void startGizmoDrag(Editor& editor, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
                     const Pixel& mouse) {
-  work.session.finishChange();  // of a number that was typed into until now
+  editor.session.finishChange();  // of a number that was typed into until now
   ui.viewDrag = ViewDrag::gizmo;
   ui.axisLock = -1;
-  ui.gizmoDrag.emplace(GizmoDragStart{work.session.level(), work.selection, shown.frame, shown.mode, handle,
-                                      projectionOf(work), mouse, ui.scale});
+  ui.gizmoDrag.emplace(GizmoDragStart{editor.session.level(), editor.selection, shown.frame, shown.mode,
+                                      handle, projectionOf(editor), mouse, ui.scale});
 }
 
-void press(Workspace& work, UiState& ui, const Pixel& mouse) {
-  const ShownGizmo shown = currentGizmo(work, ui);
+void press(Editor& editor, UiState& ui, const Pixel& mouse) {
+  const ShownGizmo shown = currentGizmo(editor, ui);
   const GizmoHandle handle = pickHandle(shown.gizmo, mouse);
-  if (handle != GizmoHandle::none) return startGizmoDrag(work, ui, shown, handle, mouse);
+  if (handle != GizmoHandle::none) return startGizmoDrag(editor, ui, shown, handle, mouse);
   ui.clickPending = true;
 }
 
-void click(Workspace& work, const UiState& ui, const Pixel& mouse) {
-  const Pick picked = pickAt(work, ui, mouse);
-  work.cell = picked.cell == work.cell ? std::nullopt : picked.cell;
+void click(Editor& editor, const UiState& ui, const Pixel& mouse) {
+  const Pick picked = pickAt(editor, ui, mouse);
+  editor.cell = picked.cell == editor.cell ? std::nullopt : picked.cell;
   if (picked.cell) {
-    work.selection = {Part::eye, 0};
-    work.animationSeconds = 0;
+    editor.selection = {Part::eye, 0};
+    editor.animationSeconds = 0;
     return;
   }
-  work.selection = picked.selection;
-  work.point = picked.point;
+  editor.selection = picked.selection;
+  editor.point = picked.point;
 }
 
 // A double click: what is there becomes the centre that the view turns around.
-void centre(Workspace& work, const UiState& ui, const Pixel& mouse) {
-  const Pick picked = pickAt(work, ui, mouse);
-  if (std::isfinite(picked.distance)) flyTo(work, setCentre(work.pose, picked.where));
+void centre(Editor& editor, const UiState& ui, const Pixel& mouse) {
+  const Pick picked = pickAt(editor, ui, mouse);
+  if (std::isfinite(picked.distance)) flyTo(editor, setCentre(editor.pose, picked.where));
 }
 
-void zoom(Workspace& work, const UiState& ui, const Pixel& mouse, double steps) {
-  takeOverView(work);
-  const Pick picked = pickAt(work, ui, mouse);
-  work.pose = std::isfinite(picked.distance) ? zoomTowards(work.pose, picked.where, steps)
-                                             : zoomTo(work.pose, projectionOf(work), mouse, steps);
+void zoom(Editor& editor, const UiState& ui, const Pixel& mouse, double steps) {
+  takeOverView(editor);
+  const Pick picked = pickAt(editor, ui, mouse);
+  editor.pose = std::isfinite(picked.distance) ? zoomTowards(editor.pose, picked.where, steps)
+                                               : zoomTo(editor.pose, projectionOf(editor), mouse, steps);
 }
 
-void beginDrags(Workspace& work, UiState& ui, const Pixel& mouse) {
+void beginDrags(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseDoubleClicked(0)) {
     ui.clickPending = false;
-    centre(work, ui, mouse);
+    centre(editor, ui, mouse);
   } else if (ImGui::IsMouseClicked(0)) {
-    press(work, ui, mouse);
+    press(editor, ui, mouse);
   } else if (ImGui::IsMouseClicked(1) || (ImGui::IsMouseClicked(2) && io.KeyShift)) {
     ui.viewDrag = ViewDrag::pan;
   } else if (ImGui::IsMouseClicked(2)) {
     ui.viewDrag = ViewDrag::orbit;
   }
   if (io.MouseWheel != 0 && std::isfinite(io.MouseWheel))
-    zoom(work, ui, mouse, std::clamp(io.MouseWheel, -10.0f, 10.0f));
+    zoom(editor, ui, mouse, std::clamp(io.MouseWheel, -10.0f, 10.0f));
 }
 
-void continueDrag(Workspace& work, UiState& ui, const Pixel& mouse) {
+void continueDrag(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ui.clickPending && ImGui::IsMouseDragging(0, dragThreshold * static_cast<float>(ui.scale))) {
     ui.clickPending = false;
@@ -99,17 +99,17 @@ void continueDrag(Workspace& work, UiState& ui, const Pixel& mouse) {
   switch (ui.viewDrag) {
     case ViewDrag::orbit:
       if (!moved) break;
-      takeOverView(work);
-      work.pose = orbit(work.pose, io.MouseDelta.x / ui.scale, io.MouseDelta.y / ui.scale);
+      takeOverView(editor);
+      editor.pose = orbit(editor.pose, io.MouseDelta.x / ui.scale, io.MouseDelta.y / ui.scale);
       break;
     case ViewDrag::pan:
       if (!moved) break;
-      takeOverView(work);
-      work.pose = pan(work.pose, projectionOf(work), io.MouseDelta.x, io.MouseDelta.y);
+      takeOverView(editor);
+      editor.pose = pan(editor.pose, projectionOf(editor), io.MouseDelta.x, io.MouseDelta.y);
       break;
     case ViewDrag::gizmo:
-      work.session.change(ui.gizmoDrag->levelAt(mouse, keysOf(ui)));
-      work.message = ui.gizmoDrag->text();
+      editor.session.change(ui.gizmoDrag->levelAt(mouse, keysOf(ui)));
+      editor.message = ui.gizmoDrag->text();
       break;
     case ViewDrag::none:
       break;
@@ -120,22 +120,22 @@ bool anyButtonDown() {
   return ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
 }
 
-void handleMouse(Workspace& work, UiState& ui, bool hovered) {
+void handleMouse(Editor& editor, UiState& ui, bool hovered) {
   const Pixel mouse = mouseIn(ui.layout.view);
   ui.hoveredHandle.reset();
   if (!isUsable(mouse)) return;
   const bool busy = ui.viewDrag != ViewDrag::none || ui.clickPending;
-  if (hovered && !busy) beginDrags(work, ui, mouse);
-  continueDrag(work, ui, mouse);
+  if (hovered && !busy) beginDrags(editor, ui, mouse);
+  continueDrag(editor, ui, mouse);
   if (!anyButtonDown()) {
-    if (ui.clickPending) click(work, ui, mouse);
+    if (ui.clickPending) click(editor, ui, mouse);
     ui.clickPending = false;
-    endViewDrag(work, ui, true);
+    endViewDrag(editor, ui, true);
   }
   if (ui.viewDrag == ViewDrag::gizmo) {
     ui.hoveredHandle = ui.gizmoDrag->start().handle;
   } else if (hovered) {
-    ui.hoveredHandle = pickHandle(currentGizmo(work, ui).gizmo, mouse);
+    ui.hoveredHandle = pickHandle(currentGizmo(editor, ui).gizmo, mouse);
   }
   if (ui.hoveredHandle && *ui.hoveredHandle != GizmoHandle::none)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -143,40 +143,40 @@ void handleMouse(Workspace& work, UiState& ui, bool hovered) {
 
 }  // namespace
 
-ShownGizmo currentGizmo(const Workspace& work, const UiState& ui) {
+ShownGizmo currentGizmo(const Editor& editor, const UiState& ui) {
   ShownGizmo shown;
-  const Selection& selection = work.selection;
-  const Level& level = work.session.level();
+  const Selection& selection = editor.selection;
+  const Level& level = editor.session.level();
   if (selection.part == Part::none) return shown;  // before any box is measured
-  if (work.lookingThrough && selection.part == Part::eye) return shown;
-  if (work.point && selection.part == Part::sculpture) return shown;  // it would cover the construction
-  shown.mode = work.gizmoMode;
+  if (editor.lookingThrough && selection.part == Part::eye) return shown;
+  if (editor.point && selection.part == Part::sculpture) return shown;  // it would cover the construction
+  shown.mode = editor.gizmoMode;
   for (const GizmoMode mode : {GizmoMode::move, GizmoMode::scale}) {
     if (!allows(level, selection, shown.mode)) shown.mode = mode;
   }
   const auto frame =
-      frameOf(level, selection, shown.mode, work.gizmoLocal, originalBox(work), sculptureBox(work));
+      frameOf(level, selection, shown.mode, editor.gizmoLocal, originalBox(editor), sculptureBox(editor));
   if (!frame) return shown;
   shown.frame = *frame;
   shown.gizmo =
-      makeGizmo(projectionOf(work), *frame, shown.mode, ui.scale, scalesUniformly(level, selection));
+      makeGizmo(projectionOf(editor), *frame, shown.mode, ui.scale, scalesUniformly(level, selection));
   return shown;
 }
 
-Pick pickAt(Workspace& work, const UiState& ui, const Pixel& pixel) {
-  const PreparedSculpture shown = shownSculpture(work);
-  return pick({projectionOf(work), work.studio.products().level, work.studio.products().original, shown,
-               work.display, work.selection, ui.scale},
+Pick pickAt(Editor& editor, const UiState& ui, const Pixel& pixel) {
+  const PreparedSculpture shown = shownSculpture(editor);
+  return pick({projectionOf(editor), editor.updater.products().level, editor.updater.products().original,
+               shown, editor.display, editor.selection, ui.scale},
               pixel);
 }
 
-void endViewDrag(Workspace& work, UiState& ui, bool keep) {
+void endViewDrag(Editor& editor, UiState& ui, bool keep) {
   if (ui.viewDrag == ViewDrag::gizmo) {
     if (keep) {
-      work.session.finishChange();
+      editor.session.finishChange();
     } else {
-      work.session.cancelChange();
-      work.message.clear();
+      editor.session.cancelChange();
+      editor.message.clear();
     }
     ui.gizmoDrag.reset();
     ui.axisLock = -1;
@@ -184,12 +184,12 @@ void endViewDrag(Workspace& work, UiState& ui, bool keep) {
   ui.viewDrag = ViewDrag::none;
 }
 
-void drawViewPanel(Workspace& work, UiState& ui) {
+void drawViewPanel(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.view;
   if (!rect.empty()) ImGui::SetNextWindowBgAlpha(0);  // the picture is all of it, and may be transparent
   if (!beginPanel("view", rect, false, false)) return;
-  work.viewWidth = std::max(1, static_cast<int>(rect.width));
-  work.viewHeight = std::max(1, static_cast<int>(rect.height));
+  editor.viewWidth = std::max(1, static_cast<int>(rect.width));
+  editor.viewHeight = std::max(1, static_cast<int>(rect.height));
   const UiTexture& picture = ui.textures.view;
   if (picture.id != 0) {
     const float top = picture.bottomUp ? 1.0f : 0.0f;
@@ -202,7 +202,7 @@ void drawViewPanel(Workspace& work, UiState& ui) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   const bool hovered = ImGui::IsItemHovered();
-  handleMouse(work, ui, hovered);
+  handleMouse(editor, ui, hovered);
   ImGui::End();
 }
 

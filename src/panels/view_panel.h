@@ -1,13 +1,13 @@
 // The 3D view's picture and the mouse in it: orbit, pan, zoom, pick, drag a gizmo's handle.
 #pragma once
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
 
 /// Shows the picture of the view and does what the mouse asks for.
-void drawViewPanel(Workspace& work, UiState& ui);
+void drawViewPanel(Editor& editor, UiState& ui);
 
 /// The gizmo of the selection as it is; empty when there is none, or when the view is the RT camera's and the
 /// gizmo would be its own.
@@ -16,12 +16,12 @@ struct ShownGizmo {
   GizmoFrame frame;
   GizmoMode mode = GizmoMode::move;
 };
-ShownGizmo currentGizmo(const Workspace& work, const UiState& ui);
+ShownGizmo currentGizmo(const Editor& editor, const UiState& ui);
 
 /// Ends a drag in the view that goes on, keeping or losing what it did.
-void endViewDrag(Workspace& work, UiState& ui, bool keep);
+void endViewDrag(Editor& editor, UiState& ui, bool keep);
 
 /// What is under a pixel of the view.
-Pick pickAt(Workspace& work, const UiState& ui, const Pixel& pixel);
+Pick pickAt(Editor& editor, const UiState& ui, const Pixel& pixel);
 
 }  // namespace anamorph

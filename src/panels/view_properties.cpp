@@ -20,29 +20,30 @@ void languageRow(UiState& ui) {
   ui.preferences.language = chosen == 0 ? "" : ui.languages[static_cast<std::size_t>(chosen - 1)].code;
 }
 
-void levelWords(Workspace& work) {
-  Level level = work.session.level();
+void levelWords(Editor& editor) {
+  Level level = editor.session.level();
   bool changed = textFieldRow("Title", level.title);
   changed |= textFieldRow("Description", level.description, 4, "Shown when the level has no lesson.");
-  if (changed) work.session.change(std::move(level));
+  if (changed) editor.session.change(std::move(level));
 }
 
 }  // namespace
 
-void drawViewProperties(Workspace& work, UiState& ui) {
+void drawViewProperties(Editor& editor, UiState& ui) {
   Preferences& preferences = ui.preferences;
   if (section(ui, "3D view")) {
-    bool parallel = work.pose.orthographic;
+    bool parallel = editor.pose.orthographic;
     if (checkRow("Parallel rays", parallel, "Orthographic view. The key 5 does the same.")) {
-      takeOverView(work);
-      work.pose = togglePerspective(work.pose);
+      takeOverView(editor);
+      editor.pose = togglePerspective(editor.pose);
     }
-    if (!work.lookingThrough && sliderRow("Field of view", work.pose.fovDegrees, {10, 120, 0.1, "%.1f°"})) {
-      takeOverView(work);
+    if (!editor.lookingThrough &&
+        sliderRow("Field of view", editor.pose.fovDegrees, {10, 120, 0.1, "%.1f°"})) {
+      takeOverView(editor);
     }
     checkRow("Legend", preferences.legend, "What the colours and line styles of the rays mean.");
   }
-  if (section(ui, "Title and description", false)) levelWords(work);
+  if (section(ui, "Title and description", false)) levelWords(editor);
   if (section(ui, "Program")) {
     int theme = static_cast<int>(preferences.theme);
     if (choiceRow("Theme", theme, {"Dark", "Light", "Projector"},

@@ -51,28 +51,28 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void repairButtons(Workspace& work, UiState& ui) {
-  const Level& level = work.session.level();
-  const Box box = originalBox(work);
+void repairButtons(Editor& editor, UiState& ui) {
+  const Level& level = editor.session.level();
+  const Box box = originalBox(editor);
   const Level outside = eyeMovedOutside(level, box);
   if (!(outside == level)) {
-    if (ImGui::Button(tr("Move the eye outside the mirror"))) work.session.edit(outside);
+    if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(outside);
     ImGui::SameLine();
   } else if (!findShapeProblem(level.optic.shape)) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
-      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(work, ui);
+      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);
       ImGui::SameLine();
     } else if (!(behind == level)) {
-      if (ImGui::Button(tr("Put the original behind the mirror"))) work.session.edit(behind);
+      if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
       ImGui::SameLine();
     }
   }
-  if (work.session.canUndo()) {
-    if (ImGui::Button(tr("Undo"))) work.session.undo();
+  if (editor.session.canUndo()) {
+    if (ImGui::Button(tr("Undo"))) editor.session.undo();
     ImGui::SameLine();
   }
-  if (ImGui::Button(tr("Reset the level"))) work.session.reset();
+  if (ImGui::Button(tr("Reset the level"))) editor.session.reset();
 }
 
 struct LegendLine {
@@ -109,18 +109,18 @@ void legendLine(const UiState& ui, const LegendLine& kind) {
 
 }  // namespace
 
-void drawViewButtons(Workspace& work, UiState& ui) {
+void drawViewButtons(Editor& editor, UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 220) || ui.layout.view.height < scaled(ui, 120)) return;
   beginFloating(ui, "##view-buttons", {1, 1}, 0, 6);
-  if (ImGui::Button(tr(work.lookingThrough ? "Back to where I was" : "Look through the RT camera")))
-    toggleLookThrough(work);
+  if (ImGui::Button(tr(editor.lookingThrough ? "Back to where I was" : "Look through the RT camera")))
+    toggleLookThrough(editor);
   pointedItem("Look through the RT camera");
   tooltip("The key 0 does the same.");
   ImGui::End();
 }
 
-void drawProblem(Workspace& work, UiState& ui) {
-  const auto& problem = work.studio.products().problem;
+void drawProblem(Editor& editor, UiState& ui) {
+  const auto& problem = editor.updater.products().problem;
   if (!problem) return;
   beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
   {
@@ -131,22 +131,22 @@ void drawProblem(Workspace& work, UiState& ui) {
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
   ImGui::TextUnformatted(capitalised(*problem).c_str());
   ImGui::PopTextWrapPos();
-  repairButtons(work, ui);
+  repairButtons(editor, ui);
   ImGui::End();
 }
 
-void drawLegend(const Workspace& work, const UiState& ui) {
+void drawLegend(const Editor& editor, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
   legendLine(ui, legendLines[fromEye]);
-  const bool reflects = work.session.level().optic.kind == OpticKind::mirror;
+  const bool reflects = editor.session.level().optic.kind == OpticKind::mirror;
   if (reflects) legendLine(ui, legendLines[reflectedRay]);
-  if (work.point && reflects) legendLine(ui, legendLines[normalLine]);
-  if (work.rays.lightRays) {
+  if (editor.point && reflects) legendLine(ui, legendLines[normalLine]);
+  if (editor.rays.lightRays) {
     legendLine(ui, legendLines[toLight]);
     legendLine(ui, legendLines[inShadow]);
   }
-  if (!work.rays.hideNoHit) legendLine(ui, legendLines[meetsNothing]);
+  if (!editor.rays.hideNoHit) legendLine(ui, legendLines[meetsNothing]);
   ImGui::End();
 }
 

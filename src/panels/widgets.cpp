@@ -13,7 +13,7 @@
 namespace anamorph {
 namespace {
 
-constexpr float nameShare = 0.40f;  // of the width
+constexpr float nameFraction = 0.40f;  // of the width
 
 // What pointAt() was told. Like Dear ImGui itself, one for the thread that draws.
 struct Pointer {
@@ -52,8 +52,8 @@ void beginRow(const char* name, const char* help) {
   ImGui::TextUnformatted(tr(name));
   tooltip(help);
   ImGui::SameLine();
-  ImGui::SetCursorPosX(start + nameShare * width);
-  ImGui::SetNextItemWidth((1 - nameShare) * width);
+  ImGui::SetCursorPosX(start + nameFraction * width);
+  ImGui::SetNextItemWidth((1 - nameFraction) * width);
 }
 
 void endRow(const char* help) {

@@ -39,9 +39,9 @@ bool Worker::busy() const {
   return waiting_ || running_;
 }
 
-double Worker::share() const {
+double Worker::fraction() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return share_;
+  return fraction_;
 }
 
 std::optional<std::string> Worker::takeFailure() {
@@ -57,13 +57,13 @@ void Worker::loop() {
     Job job = std::exchange(waiting_, nullptr);
     const CancelToken token;
     running_ = token;
-    share_ = 0;
+    fraction_ = 0;
     lock.unlock();
 
     std::optional<std::string> failure;
-    const auto report = [this](double share) {
+    const auto report = [this](double fraction) {
       const std::lock_guard<std::mutex> reportLock(mutex_);
-      share_ = share;
+      fraction_ = fraction;
     };
     try {
       job(Progress{report, token});

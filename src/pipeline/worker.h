@@ -57,7 +57,7 @@ class Worker {
 
   bool busy() const;
   /// How far the running job is, 0..1.
-  double share() const;
+  double fraction() const;
   /// The message of the last job when it threw, once. Forgotten with the next request() or cancel().
   std::optional<std::string> takeFailure();
 
@@ -69,7 +69,7 @@ class Worker {
   std::condition_variable changed_;
   Job waiting_;
   std::optional<CancelToken> running_;
-  double share_ = 0;
+  double fraction_ = 0;
   std::optional<std::string> failure_;
   bool stopping_ = false;
   std::thread thread_;  // last: it uses all of the above

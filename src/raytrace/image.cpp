@@ -58,7 +58,7 @@ BitmapDifference compare(const Bitmap& a, const Bitmap& b, int threshold) {
   }
   if (pixels > 0) {
     result.meanAbsolute = sum / static_cast<double>(a.bytes.size());
-    result.shareOver = static_cast<double>(over) / static_cast<double>(pixels);
+    result.fractionOver = static_cast<double>(over) / static_cast<double>(pixels);
   }
   return result;
 }

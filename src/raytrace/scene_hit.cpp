@@ -15,7 +15,7 @@ double smoothStep(double from, double to, double x) {
 }
 
 // Seen from above only. Nothing where it has faded away.
-std::optional<SceneHit> findGroundHit(const RenderScene& scene, const Ray& ray, double tMax) {
+std::optional<SceneHit> intersectGround(const RenderScene& scene, const Ray& ray, double tMax) {
   const double above = ray.origin.z - scene.input.ground->height;
   if (!(above > 0) || !(ray.direction.z < 0)) return std::nullopt;
   const double t = above / -ray.direction.z;
@@ -60,7 +60,7 @@ SceneHit meshHit(const MeshSurface& surface, int index, const Ray& ray, const Bv
 std::optional<SceneHit> findHit(const RenderScene& scene, const Ray& ray, double tMax) {
   std::optional<SceneHit> hit;
   if (scene.input.ground) {
-    hit = findGroundHit(scene, ray, tMax);
+    hit = intersectGround(scene, ray, tMax);
     if (hit) tMax = hit->t;
   }
   if (scene.input.optic) {
@@ -91,7 +91,7 @@ bool isBlocked(const RenderScene& scene, const Ray& ray, double tMax) {
     const auto hit = intersect(scene.input.optic->optic.shape, ray);
     if (hit && hit->t < tMax) return true;
   }
-  return scene.input.ground && findGroundHit(scene, ray, tMax);
+  return scene.input.ground && intersectGround(scene, ray, tMax);
 }
 
 }  // namespace anamorph

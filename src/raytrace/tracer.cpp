@@ -77,7 +77,7 @@ class Tracer {
       case ObjectKind::ground:
         return shadeGround(passage, hit, self);
       default:
-        return shadeMatter(scene_.input.surfaces[hit.object.index].material, passage.ray, hit, self, 1);
+        return shadeSurface(scene_.input.surfaces[hit.object.index].material, passage.ray, hit, self, 1);
     }
   }
 
@@ -98,19 +98,20 @@ class Tracer {
     const double slant = std::max(0.02, std::abs(passage.ray.direction.z));
     const double footprint = options_.pixelAngle * (passage.travelled + hit.t) / slant;
     const Material material = groundMaterial(*scene_.input.ground, hit.point, footprint);
-    const Color lit = shadeMatter(material, passage.ray, hit, self, 1 - hit.groundFade);
+    const Color lit = shadeSurface(material, passage.ray, hit, self, 1 - hit.groundFade);
     return lit + hit.groundFade * backgroundColor(scene_.input.background, passage.ray.direction);
   }
 
   // Ambient light and one ray to every light that is in front of the surface; all times `share`.
-  Color shadeMatter(const Material& material, const Ray& ray, const SceneHit& hit, int self, double share) {
-    Color color = share * material.ambient * material.color;
+  Color shadeSurface(const Material& material, const Ray& ray, const SceneHit& hit, int self,
+                     double fraction) {
+    Color color = fraction * material.ambient * material.color;
     for (std::size_t i = 0; i < scene_.input.lights.size(); ++i) {
       const PointLight& light = scene_.input.lights[i];
       const Vector towards = light.position - hit.point;
       const double distance = glm::length(towards);
       if (!(distance > 0)) continue;
-      const Color response = share * phongResponse(material, hit, towards / distance, -ray.direction);
+      const Color response = fraction * phongResponse(material, hit, towards / distance, -ray.direction);
       if (response == Color(0)) continue;
       color += lightThrough(light, static_cast<int>(i), hit, response, self);
     }

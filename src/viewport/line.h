@@ -1,5 +1,5 @@
 // Straight lines in space, as the 3D view draws them: rays, the RT camera's frustum, the construction of a
-// vertex. Plain data, made by pure functions and drawn by line_view.h.
+// vertex. Plain data, made by pure functions and drawn by line_pass.h.
 #pragma once
 
 #include "math/vec.h"

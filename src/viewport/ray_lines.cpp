@@ -18,7 +18,7 @@ struct Stretch {
   double begin = 0, end = 0;  // along the way
 
   /// What share of it lies behind somebody who has come so far.
-  double share(double travelled) const {
+  double fraction(double travelled) const {
     if (travelled >= end) return 1;
     return travelled <= begin || end <= begin ? 0 : (travelled - begin) / (end - begin);
   }
@@ -73,9 +73,9 @@ double wayOf(const RayTree& tree, const std::vector<Stretch>& stretches, const R
   return end;
 }
 
-void addPart(std::vector<Line>& lines, Line line, double share) {
-  if (!(share > 0) || !(lengthSquared(line.to - line.from) > 0)) return;
-  if (share < 1) line.to = line.from + share * (line.to - line.from);
+void addPart(std::vector<Line>& lines, Line line, double fraction) {
+  if (!(fraction > 0) || !(lengthSquared(line.to - line.from) > 0)) return;
+  if (fraction < 1) line.to = line.from + fraction * (line.to - line.from);
   lines.push_back(line);
 }
 
@@ -192,7 +192,7 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
     for (std::size_t i = 0; i < tree.segments.size(); ++i) {
       const double contribution = contributionOf(tree.segments[i], tree);
       if (!isShown(tree.segments[i], contribution, settings)) continue;
-      addPart(lines, lineOf(tree.segments[i], contribution, settings), stretches[i].share(travelled));
+      addPart(lines, lineOf(tree.segments[i], contribution, settings), stretches[i].fraction(travelled));
     }
     if (settings.animate && settings.sequential) travelled -= wayOf(tree, stretches, settings);
   });
@@ -207,7 +207,7 @@ std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, c
     double begin = 0;
     for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
       const double end = begin + glm::length(leg.to - leg.from);
-      addPart(lines, leg, Stretch{begin, end}.share(travelled));
+      addPart(lines, leg, Stretch{begin, end}.fraction(travelled));
       begin = end;
     }
     if (settings.animate && settings.sequential) travelled -= begin;

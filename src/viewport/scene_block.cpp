@@ -78,14 +78,14 @@ void packView(SceneBlock& block, const ViewportInput& input, const Point& origin
 
 /// As near to the meshes as can be, so that the depth buffer tells their triangles apart.
 void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure,
-                const SurfacePlaces& places, const Visible& visible) {
+                const SurfaceSlots& slots, const Visible& visible) {
   const ViewPose pose = sound(input.pose);
   const ViewProjection view(pose, 1, 1);
   double near = std::numeric_limits<double>::infinity(), far = 0;
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     if (!visible.surface(static_cast<GpuSurface>(i))) continue;
     for (int corner = 0; corner < 8; ++corner) {
-      const Box& box = places[i].box;
+      const Box& box = slots[i].box;
       const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                     corner & 4 ? box.max.z : box.min.z);
       const double depth = glm::dot(p - view.eye(), view.frame().forward);
@@ -100,25 +100,25 @@ void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasur
   block.depthRange = glm::vec4(glm::dvec4(near, far, 1 / unit, 1 / std::log2(1 + end / unit)));
 }
 
-void packStudio(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure) {
+void packSurroundings(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure) {
   const Level& level = input.level;
   const Background& background = input.display.background ? *input.display.background : level.background;
   const Ground ground;
   const Vector cells = measure.centre / ground.gridSpacing;
-  block.studio = glm::vec4(glm::dvec4(measure.radius, measure.epsilon, markerRadius * measure.radius, 0));
+  block.sceneSize = glm::vec4(glm::dvec4(measure.radius, measure.epsilon, markerRadius * measure.radius, 0));
   block.backgroundTop = pack(background.top, input.transparent);
   block.backgroundBottom = pack(background.bottom);
   block.ground = glm::vec4(glm::dvec4(level.ground.height - measure.centre.z, ground.gridSpacing,
                                       ground.gridSpacing * (cells.x - std::floor(cells.x)),
                                       ground.gridSpacing * (cells.y - std::floor(cells.y))));
-  block.groundMatter = pack(ground.material);
+  block.groundMaterial = pack(ground.material);
 }
 
 int packLights(SceneBlock& block, const Level& level, const Point& origin) {
   int count = 0;
   for (const PointLight& light : level.lights) {
     if (count == gpuLightLimit) break;
-    block.lightPlace[count] = pack(isFinite(light.position) ? light.position - origin : Point(0));
+    block.lightPosition[count] = pack(isFinite(light.position) ? light.position - origin : Point(0));
     block.lightColor[count] = pack(light.intensity * light.color);
     ++count;
   }
@@ -126,7 +126,7 @@ int packLights(SceneBlock& block, const Level& level, const Point& origin) {
 }
 
 void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& visible,
-                  const SurfacePlaces& places, const Point& origin) {
+                  const SurfaceSlots& slots, const Point& origin) {
   const DisplaySettings& display = input.display;
   Material sculpture = input.level.sculpture.material;
   if (display.statusColors) sculpture.color = mappedColor;
@@ -140,15 +140,15 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
           (solidOriginal && mirroredOriginal) * castsInMirror,
       visible.rtCamera * inMirror};
   for (int i = 0; i < gpuSurfaceCount; ++i) {
-    const SurfacePlace& place = places[i];
-    const bool there = place.triangles > 0;
-    const auto matter = pack(*materials[i]);
-    std::copy(matter.begin(), matter.end(), &block.matter[2 * i]);
-    block.surfaceCentre[i] = pack(place.centre - origin, place.radius);
-    block.surfaceLow[i] = pack(there ? place.box.min - origin : Vector(0));
-    block.surfaceHigh[i] = pack(there ? place.box.max - origin : Vector(0));
-    block.surfacePlace[i] = place.first;
-    block.surfaceSize[i] = {place.triangles, there ? flags[i] | place.whole * wholeMesh : 0, place.root, 0};
+    const SurfaceSlot& slot = slots[i];
+    const bool there = slot.triangles > 0;
+    const auto packed = pack(*materials[i]);
+    std::copy(packed.begin(), packed.end(), &block.materials[2 * i]);
+    block.surfaceCentre[i] = pack(slot.centre - origin, slot.radius);
+    block.surfaceLow[i] = pack(there ? slot.box.min - origin : Vector(0));
+    block.surfaceHigh[i] = pack(there ? slot.box.max - origin : Vector(0));
+    block.surfaceOffsets[i] = slot.first;
+    block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * wholeMesh : 0, slot.root, 0};
   }
 }
 
@@ -171,10 +171,10 @@ bool Visible::surface(GpuSurface which) const {
   return which == GpuSurface::sculpture ? sculpture : which == GpuSurface::original ? original : rtCamera;
 }
 
-Visible findVisible(const ViewportInput& input, const SurfacePlaces& places, double sceneRadius) {
+Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius) {
   const DisplaySettings& display = input.display;
   const Camera& camera = input.level.camera;
-  const auto there = [&](GpuSurface which) { return places[static_cast<int>(which)].triangles > 0; };
+  const auto there = [&](GpuSurface which) { return slots[static_cast<int>(which)].triangles > 0; };
   Visible visible;
   visible.sculpture = display.sculpture && there(GpuSurface::sculpture);
   visible.wires = visible.sculpture && display.wireframe;
@@ -212,15 +212,14 @@ SceneMeasure measureScene(const Level& level, const Box& sculpture) {
   return {scene.centre, scene.radius, scene.epsilon};
 }
 
-SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure,
-                          const SurfacePlaces& places, const Visible& visible, int width, int height,
-                          const Pixel& shift) {
+SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure, const SurfaceSlots& slots,
+                          const Visible& visible, int width, int height, const Pixel& shift) {
   SceneBlock block{};
   const Level& level = input.level;
   packView(block, input, measure.centre, width, height, shift);
-  packDepths(block, input, measure, places, visible);
-  packStudio(block, input, measure);
-  packSurfaces(block, input, visible, places, measure.centre);
+  packDepths(block, input, measure, slots, visible);
+  packSurroundings(block, input, measure);
+  packSurfaces(block, input, visible, slots, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);
   const int mirror = visible.mirror ? std::visit(MirrorPacker{block, measure.centre}, level.optic.shape) : 0;
   block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);

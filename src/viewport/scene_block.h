@@ -23,22 +23,22 @@ enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2 };
 /// Every field is a multiple of 16 bytes, so that std140 and C++ agree.
 struct SceneBlock {
   glm::vec4 eye, right, up, forward, lens, depthRange;
-  glm::vec4 studio, backgroundTop, backgroundBottom, ground;
-  std::array<glm::vec4, 2> groundMatter;
+  glm::vec4 sceneSize, backgroundTop, backgroundBottom, ground;
+  std::array<glm::vec4, 2> groundMaterial;
   glm::vec4 mirror, mirrorAxis;
   std::array<glm::vec4, 4> mirrorEdges;
   glm::vec4 mirrorTint;
   std::array<glm::vec4, gpuSurfaceCount> surfaceCentre, surfaceLow, surfaceHigh;
-  std::array<glm::vec4, 2 * gpuSurfaceCount> matter;
-  std::array<glm::vec4, gpuLightLimit> lightPlace, lightColor;
+  std::array<glm::vec4, 2 * gpuSurfaceCount> materials;
+  std::array<glm::vec4, gpuLightLimit> lightPosition, lightColor;
   glm::vec4 screenCorner, screenRight, screenDown;
   glm::ivec4 counts, options;
-  std::array<glm::ivec4, gpuSurfaceCount> surfacePlace, surfaceSize;
+  std::array<glm::ivec4, gpuSurfaceCount> surfaceOffsets, surfaceSize;
 };
 static_assert(sizeof(SceneBlock) % 16 == 0);
 
 /// Where a surface is in the textures, and its box.
-struct SurfacePlace {
+struct SurfaceSlot {
   glm::ivec4 first{0};  ///< node, triangle, vertex, normal
   int triangles = 0;    ///< 0: there is none
   int root = 0;         ///< link and count of the root node, 8 * link + count
@@ -47,7 +47,7 @@ struct SurfacePlace {
   double radius = 0;
   Box box;  ///< of its vertices
 };
-using SurfacePlaces = std::array<SurfacePlace, gpuSurfaceCount>;
+using SurfaceSlots = std::array<SurfaceSlot, gpuSurfaceCount>;
 
 /// What is drawn of the input, decided once for all passes.
 struct Visible {
@@ -61,7 +61,7 @@ struct Visible {
 
   bool surface(GpuSurface which) const;
 };
-Visible findVisible(const ViewportInput& input, const SurfacePlaces& places, double sceneRadius);
+Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius);
 
 /// Half the length of the RT camera's model, scene units.
 double rtCameraSize(const Camera& camera, double sceneRadius);
@@ -76,8 +76,7 @@ SceneMeasure measureScene(const Level& level, const Box& sculpture);
 
 /// For a picture of width x height pixels, whose size may differ from the input's; `shift` moves the sample
 /// away from the middles of the pixels, right and up.
-SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure,
-                          const SurfacePlaces& places, const Visible& visible, int width, int height,
-                          const Pixel& shift);
+SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure, const SurfaceSlots& slots,
+                          const Visible& visible, int width, int height, const Pixel& shift);
 
 }  // namespace anamorph

@@ -71,7 +71,7 @@ void SurfaceStore::update(const SurfaceSources& wanted) {
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     const SurfaceSource &now = sources[i], &before = sources_[i];
     const PreparedMesh &m = now.prepared, &old = before.prepared;
-    place(i, now);
+    slot(i, now);
     if (!m.mesh) continue;
     const bool otherPoints = m.mesh != old.mesh || now.sculpture != before.sculpture || m.bvh != old.bvh;
     if (moved[SurfaceUnits::nodes] || m.bvh != old.bvh) writeNodes(i, now);
@@ -99,28 +99,28 @@ void SurfaceStore::leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& leng
   }
 }
 
-void SurfaceStore::place(int i, const SurfaceSource& source) {
-  SurfacePlace& place = places_[i];
+void SurfaceStore::slot(int i, const SurfaceSource& source) {
+  SurfaceSlot& slot = slots_[i];
   const PreparedMesh& m = source.prepared;
   if (!m.mesh) {
-    place = {};
+    slot = {};
     return;
   }
-  for (int a = 0; a < arrayCount; ++a) place.first[a] = arrays_[a].first(i);
+  for (int a = 0; a < arrayCount; ++a) slot.first[a] = arrays_[a].first(i);
   // Nodes and triangles are two texels each; the order is that of scene.glsl: node, triangle, vertex, normal.
-  place.first = {place.first[0] / 2, place.first[2] / 2, place.first[1], place.first[3]};
-  place.triangles = static_cast<int>(m.bvh->triangleOrder().size());
-  place.centre = m.bvh->centre();
+  slot.first = {slot.first[0] / 2, slot.first[2] / 2, slot.first[1], slot.first[3]};
+  slot.triangles = static_cast<int>(m.bvh->triangleOrder().size());
+  slot.centre = m.bvh->centre();
   const BvhNode& root = m.bvh->nodes().front();
-  place.root = static_cast<int>(8 * root.link + root.count);
-  place.box = {};
-  place.radius = 0;
+  slot.root = static_cast<int>(8 * root.link + root.count);
+  slot.box = {};
+  slot.radius = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    place.box.min[axis] = place.centre[axis] + finite(root.min[axis]);
-    place.box.max[axis] = place.centre[axis] + finite(root.max[axis]);
-    place.radius = std::max({place.radius, double{-finite(root.min[axis])}, double{finite(root.max[axis])}});
+    slot.box.min[axis] = slot.centre[axis] + finite(root.min[axis]);
+    slot.box.max[axis] = slot.centre[axis] + finite(root.max[axis]);
+    slot.radius = std::max({slot.radius, double{-finite(root.min[axis])}, double{finite(root.max[axis])}});
   }
-  if (place.box.empty()) place.triangles = 0;  // no triangle is in the tree any more
+  if (slot.box.empty()) slot.triangles = 0;  // no triangle is in the tree any more
 }
 
 void SurfaceStore::writePositions(int i, const SurfaceSource& source) {
@@ -136,7 +136,7 @@ void SurfaceStore::writePositions(int i, const SurfaceSource& source) {
     whole &= usable > 0;
     floats_[v] = finite(glm::vec4(glm::vec3(points[v] - centre), usable));
   }
-  places_[i].whole = whole;
+  slots_[i].whole = whole;
   arrays_[SurfaceUnits::positions].write(i, floats_.data(), floats_.size());
 }
 

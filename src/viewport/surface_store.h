@@ -47,7 +47,7 @@ class SurfaceStore {
   void update(const SurfaceSources& sources);
   void bind() const;
 
-  const SurfacePlaces& places() const { return places_; }
+  const SurfaceSlots& slots() const { return slots_; }
   /// Which meshes are left out because the graphics card's textures are too small for them; empty: none.
   const std::string& problem() const { return problem_; }
 
@@ -56,7 +56,7 @@ class SurfaceStore {
   using Lengths = std::array<std::array<std::size_t, gpuSurfaceCount>, arrayCount>;
 
   void leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& lengths);
-  void place(int i, const SurfaceSource& source);
+  void slot(int i, const SurfaceSource& source);
   void writePositions(int i, const SurfaceSource& source);
   void writeNormals(int i, const SurfaceSource& source);
   void writeNodes(int i, const SurfaceSource& source);
@@ -64,7 +64,7 @@ class SurfaceStore {
 
   std::array<TexelArrays, arrayCount> arrays_;  // in the order of SurfaceUnits
   SurfaceSources sources_;                      // what is there
-  SurfacePlaces places_;
+  SurfaceSlots slots_;
   std::string problem_;
   std::vector<glm::vec4> floats_;    // for sending
   std::vector<glm::uvec4> numbers_;  // the same

@@ -13,15 +13,15 @@
 #include "gl/gl_error.h"
 #include "gl/shader.h"
 #include "viewport/camera_model.h"
-#include "viewport/ink_view.h"
+#include "viewport/overlay_pass.h"
 #include "viewport/scene_block.h"
-#include "viewport/studio_view.h"
+#include "viewport/scene_pass.h"
 #include "viewport/surface_store.h"
 
 namespace anamorph {
 namespace {
 
-constexpr int lightUnit = 4, inkUnit = 5;
+constexpr int lightUnit = 4, overlayUnit = 5;
 
 /// Spreads evenly over the pixel however many are taken (Roberts 2018, the R2 sequence); the first is its
 /// middle.
@@ -80,7 +80,7 @@ struct Viewport::Parts {
   Parts() {
     resolve.use();
     resolve.set("light", lightUnit);
-    resolve.set("ink", inkUnit);
+    resolve.set("overlay", overlayUnit);
     glGenVertexArrays(1, &noVertices);
   }
   ~Parts() { glDeleteVertexArrays(1, &noVertices); }
@@ -95,8 +95,8 @@ struct Viewport::Parts {
   int done = 0, asked = 1;
 
   SurfaceStore surfaces;
-  StudioView studio;
-  InkView ink;
+  ScenePass scenePass;
+  OverlayPass overlayPass;
   UniformBuffer block{sceneBlockPoint};
   ShaderProgram resolve{"full_screen.vert.glsl", "resolve.frag.glsl"};
   Framebuffer picture;
@@ -118,8 +118,8 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   sources[1] = {input.original, nullptr};
   sources[2] = {cameraModel(input.level.camera, rtCameraSize(input.level.camera, measure.radius)), nullptr};
   surfaces.update(sources);
-  visible = findVisible(input, surfaces.places(), measure.radius);
-  studio.setScreen(input.screen);
+  visible = findVisible(input, surfaces.slots(), measure.radius);
+  scenePass.setScreen(input.screen);
 
   const auto scaled = [&](int size) {
     return std::max(1, static_cast<int>(std::lround(size * wantedScale)));
@@ -129,27 +129,28 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
     picture = Framebuffer();
     picture = Framebuffer(width, height, {TexelFormat::rgba8}, false, true);
   }
-  studio.resize(width, height);
-  ink.update(input, surfaces.places(), visible, measure.centre, width, height);
+  scenePass.resize(width, height);
+  overlayPass.update(input, surfaces.slots(), visible, measure.centre, width, height);
   scale = wantedScale;
 }
 
 void Viewport::Parts::addSample() {
-  const SceneBlock scene = makeSceneBlock(input, measure, surfaces.places(), visible, picture.width(),
+  const SceneBlock scene = makeSceneBlock(input, measure, surfaces.slots(), visible, picture.width(),
                                           picture.height(), sampleShift(done));
   block.write(&scene, sizeof scene);
   surfaces.bind();
-  studio.draw(scene, surfaces.places(), visible, done);
-  if (!ink.empty()) ink.draw(input, scene, surfaces.places(), studio.depth(), input.lineScale * scale, done);
+  scenePass.draw(scene, surfaces.slots(), visible, done);
+  if (!overlayPass.empty())
+    overlayPass.draw(input, scene, surfaces.slots(), scenePass.depth(), input.lineScale * scale, done);
   ++done;
 }
 
 void Viewport::Parts::finish() {
   picture.bind();
-  studio.light().bind(lightUnit);
-  if (!ink.empty()) ink.ink().bind(inkUnit);
+  scenePass.light().bind(lightUnit);
+  if (!overlayPass.empty()) overlayPass.result().bind(overlayUnit);
   resolve.use();
-  resolve.set("hasInk", ink.empty() ? 0 : 1);
+  resolve.set("hasOverlay", overlayPass.empty() ? 0 : 1);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -20,16 +20,16 @@ namespace {
 
 using namespace anamorph::testing;
 
-class ExportWindow : public DeskTest {
+class ExportWindow : public GuiTest {
  protected:
   void SetUp() override {
-    DeskTest::SetUp();
+    GuiTest::SetUp();
     if (!headless) return;
-    desk().open(levelPath("1-plane"));
-    Level level = work().session.level();
+    gui().open(levelPath("1-plane"));
+    Level level = editor().session.level();
     std::get<BoxShape>(level.original.shape).segments = 4;
-    work().session.edit(level);
-    perform(Action::exportFiles, work(), ui());
+    editor().session.edit(level);
+    perform(Action::exportFiles, editor(), ui());
     frames(2);
   }
   void start(ExportKind kind, const std::string& path) {
@@ -64,22 +64,22 @@ TEST_F(ExportWindow, WritesEveryKindAndCountsIt) {
     start(kind, folder / name);
     wait();
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << ui().exporting.message;
-    EXPECT_EQ(work().exported, ++count);
+    EXPECT_EQ(editor().exported, ++count);
     EXPECT_NE(ui().exporting.message.find(name), std::string::npos) << ui().exporting.message;
   }
 }
 
 TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
-  Level level = work().session.level();
+  Level level = editor().session.level();
   level.sculpture.depthScale = 0.5;
-  work().session.change(level);  // a drag goes on
+  editor().session.change(level);  // a drag goes on
   start(ExportKind::sculpture, folder / "s.ply");
   EXPECT_TRUE(ui().exporting.running);
   EXPECT_FALSE(std::filesystem::exists(folder / "s.ply"));
-  work().session.finishChange();
+  editor().session.finishChange();
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
-  const Products& products = work().studio.products();
+  const Products& products = editor().updater.products();
   EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), products.sculpture.sculpture->mesh.triangles.size());
 }
 
@@ -87,28 +87,28 @@ TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {
   start(ExportKind::sculpture, folder / "no/such/folder/s.stl");
   wait();
   EXPECT_NE(ui().exporting.message.find("no/such/folder"), std::string::npos) << ui().exporting.message;
-  Level level = work().session.level();
+  Level level = editor().session.level();
   level.camera.eye = {0, 0, 1};  // in the mirror's plane
-  work().session.edit(level);
+  editor().session.edit(level);
   start(ExportKind::sculpture, folder / "s.stl");
   wait();
   EXPECT_EQ(ui().exporting.message, "There is no sculpture to export.");
-  work().session.undo();
+  editor().session.undo();
   start(ExportKind::matchReport, folder / "m.html");
   ui().requests.cancelExport = true;
   frames(1);
   wait();
   EXPECT_EQ(ui().exporting.message, "Cancelled. Nothing was written.");
   EXPECT_EQ(folder.fileCount(), 0u);
-  EXPECT_EQ(work().exported, 0);
+  EXPECT_EQ(editor().exported, 0);
 }
 
 TEST_F(ExportWindow, BeginsAnewWhatWasCancelledBefore) {
-  Level level = work().session.level();
+  Level level = editor().session.level();
   level.sculpture.depthScale = 0.5;
-  work().session.edit(level);
+  editor().session.edit(level);
   frames(1);
-  work().studio.cancel();
+  editor().updater.cancel();
   start(ExportKind::sculpture, folder / "s.stl");
   wait();
   EXPECT_TRUE(std::filesystem::exists(folder / "s.stl")) << ui().exporting.message;
@@ -140,11 +140,11 @@ TEST_F(ExportWindow, ChecksForPrinting) {
 TEST_F(ExportWindow, AShotTooLargeForTheGraphicsCardIsToldAndAll) {
   const Preferences preferences = ui().preferences;
   headless.reset();  // one Dear ImGui at a time
-  headless = std::make_unique<HeadlessDesk>(Texture::maxSize() / 4 + 8, 100, preferences, 1);
-  desk().open(levelPath("1-plane"));
+  headless = std::make_unique<HeadlessGui>(Texture::maxSize() / 4 + 8, 100, preferences, 1);
+  gui().open(levelPath("1-plane"));
   frames(1);
   try {
-    takeShot(desk(), {4, true, false, {}});
+    takeShot(gui(), {4, true, false, {}});
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("too large for this graphics card"), std::string::npos);
@@ -157,13 +157,13 @@ TEST_F(ExportWindow, ShotsAreAsLargeAsAskedForAndTheWindowGoesOn) {
   const Bitmap before = headless->readBack();
   for (const int factor : {1, 2}) {
     for (const bool panels : {true, false}) {
-      const Bitmap shot = takeShot(desk(), {factor, panels, false, {}});
+      const Bitmap shot = takeShot(gui(), {factor, panels, false, {}});
       EXPECT_EQ(shot.width, 640 * factor);
       EXPECT_EQ(shot.height, 480 * factor);
       EXPECT_EQ(shot.bytes.size(), std::size_t{3} * shot.width * shot.height);
     }
   }
-  const Bitmap transparent = takeShot(desk(), {1, false, true, {}});
+  const Bitmap transparent = takeShot(gui(), {1, false, true, {}});
   EXPECT_EQ(transparent.bytes[3], 0) << "the corner is sky";
   EXPECT_FALSE(ui().panelsHidden);
   headless->settle();

@@ -54,10 +54,10 @@ void writeSmallLevels(const fs::path& folder) {
   }
 }
 
-class Monkey : public DeskTest {
+class Monkey : public GuiTest {
  protected:
   void SetUp() override {
-    DeskTest::SetUp();
+    GuiTest::SetUp();
     if (!headless) return;
     home_ = fs::current_path();
     fs::current_path(folder_ / "");                            // the render dialog may save its picture
@@ -66,7 +66,7 @@ class Monkey : public DeskTest {
     writeSmallLevels(folder_ / "");
     ui().levels = listLevels(folder_ / "");
     ASSERT_GE(ui().levels.size(), 3u);
-    desk().open(ui().levels.front().path);
+    gui().open(ui().levels.front().path);
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
     for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = firstKey + key;
@@ -74,7 +74,7 @@ class Monkey : public DeskTest {
   }
   void TearDown() override {
     if (headless) fs::current_path(home_);
-    DeskTest::TearDown();
+    GuiTest::TearDown();
   }
 
   template <typename T>
@@ -107,7 +107,7 @@ class Monkey : public DeskTest {
   }
 
   std::optional<Pixel> gizmoGrip() {
-    const ShownGizmo shown = currentGizmo(work(), ui());
+    const ShownGizmo shown = currentGizmo(editor(), ui());
     if (shown.gizmo.empty()) return std::nullopt;
     const GizmoShape& shape = oneOf(shown.gizmo.shapes);
     if (shape.points.empty()) return std::nullopt;
@@ -124,10 +124,10 @@ class Monkey : public DeskTest {
       return;
     }
     if (chance(0.2)) {
-      desk().key(random_.integer(0, 348), random_.integer(0, 15));
+      gui().key(random_.integer(0, 348), random_.integer(0, 15));
     } else {
       const Shortcut shortcut = oneOf(shortcuts(ui().preferences.vrtKeys));
-      desk().key(shortcut.key, shortcut.modifiers);
+      gui().key(shortcut.key, shortcut.modifiers);
     }
     ui().requests.quit = false;
   }
@@ -199,21 +199,21 @@ class Monkey : public DeskTest {
       if (chance(0.05)) pressKey();
       check();
     }
-    if (chance(0.1)) desk().key(keys::escape, 0);
+    if (chance(0.1)) gui().key(keys::escape, 0);
     headless->pressMouse(button, false);
   }
 
   void undoStorm() {
     const bool back = chance(0.5);
     for (int i = random_.integer(1, 30); i > 0; --i) {
-      desk().key(back || chance(0.3) ? 'Z' : 'Y', keys::control);
+      gui().key(back || chance(0.3) ? 'Z' : 'Y', keys::control);
       if (i % 7 == 0) check();
     }
   }
 
   void answerDialog() {
-    desk().key(oneOf<int>({keys::escape, keys::escape, keys::enter, keys::down, keys::backspace, 'D'}), 0,
-               chance(0.1));
+    gui().key(oneOf<int>({keys::escape, keys::escape, keys::enter, keys::down, keys::backspace, 'D'}), 0,
+              chance(0.1));
     ui().requests.quit = false;
   }
 
@@ -248,7 +248,7 @@ class Monkey : public DeskTest {
     } else if (which < 0.92) {
       undoStorm();
     } else {
-      work().selection = {static_cast<Part>(random_.integer(0, 6)), random_.integer(0, 2)};
+      editor().selection = {static_cast<Part>(random_.integer(0, 6)), random_.integer(0, 2)};
     }
   }
 
@@ -257,19 +257,19 @@ class Monkey : public DeskTest {
     headless->frame(chance(0.9) ? 1.0 / 60 : random_.uniform(0, 2), &draft);
     ++frames_;
     ui().requests.quit = false;
-    if (work().session.generation() != generation_) {
-      generation_ = work().session.generation();
-      begun_ = work().session.level();
+    if (editor().session.generation() != generation_) {
+      generation_ = editor().session.generation();
+      begun_ = editor().session.level();
     }
     ui().render.longerSide = std::min(ui().render.longerSide, 96);
     ui().render.samplesPerAxis = 1;
     ASSERT_EQ(takeGlErrors(), "");
-    if (!(work().session.level() == checked_)) {
-      checked_ = work().session.level();
+    if (!(editor().session.level() == checked_)) {
+      checked_ = editor().session.level();
       ++changes_;
       ASSERT_TRUE(allFinite(checked_)) << formatLevel(checked_);
     }
-    ASSERT_TRUE(isSound(work().pose));
+    ASSERT_TRUE(isSound(editor().pose));
   }
 
   Level checked_;
@@ -292,8 +292,8 @@ TEST_F(Monkey, BreaksNothing) {
     check();
     if (HasFatalFailure()) return;
     if (i % 25 == 0) {
-      const std::string text = formatLevel(work().session.level());
-      ASSERT_NO_THROW(ASSERT_EQ(parseLevel(text, "level").level, work().session.level()))
+      const std::string text = formatLevel(editor().session.level());
+      ASSERT_NO_THROW(ASSERT_EQ(parseLevel(text, "level").level, editor().session.level()))
           << "it could not be saved and opened again:\n"
           << text;
     }
@@ -303,7 +303,7 @@ TEST_F(Monkey, BreaksNothing) {
   for (int i = 0; i < 3; ++i) check();
   std::printf("%d times another level\n", changes_);
   // Whatever has happened, the history leads back to the level as it was opened.
-  Session& session = work().session;
+  Session& session = editor().session;
   while (session.canUndo()) session.undo();
   EXPECT_EQ(session.level(), begun_);
   check();

@@ -63,7 +63,7 @@ class Screenshot : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-double shareOfAlpha(const Bitmap& bitmap, int alpha) {
+double fractionOfAlpha(const Bitmap& bitmap, int alpha) {
   std::size_t count = 0;
   for (std::size_t i = 3; i < bitmap.bytes.size(); i += 4) count += bitmap.bytes[i] == alpha;
   return 4.0 * static_cast<double>(count) / static_cast<double>(bitmap.bytes.size());
@@ -94,14 +94,14 @@ TEST_F(Screenshot, HasTheSizeAskedFor) {
 TEST_F(Screenshot, TransparentHasNoBackground) {
   const Bitmap bitmap = picture("3-sphere --no-panels --transparent");
   ASSERT_EQ(bitmap.channels, 4);
-  EXPECT_GT(shareOfAlpha(bitmap, 0), 0.1) << "nothing is there";
-  EXPECT_GT(shareOfAlpha(bitmap, 255), 0.05) << "the mirror is not transparent";
+  EXPECT_GT(fractionOfAlpha(bitmap, 0), 0.1) << "nothing is there";
+  EXPECT_GT(fractionOfAlpha(bitmap, 255), 0.05) << "the mirror is not transparent";
 }
 
 TEST_F(Screenshot, WithoutPanelsOnlyTheViewIsLeft) {
   const Bitmap with = picture("2-cylinder --size 640x600"),
                without = picture("2-cylinder --size 640x600 --no-panels");
-  EXPECT_GT(compare(with, without, 8).shareOver, 0.3);
+  EXPECT_GT(compare(with, without, 8).fractionOver, 0.3);
   // The menu bar is one colour over most of its width, the sky is not: so the rows differ.
   EXPECT_NE(std::vector(with.bytes.begin(), with.bytes.begin() + 3000),
             std::vector(without.bytes.begin(), without.bytes.begin() + 3000));
@@ -113,12 +113,12 @@ TEST_F(Screenshot, EveryOptionShowsSomethingElse) {
        {"--theme light", "--theme projector", "--look-through", "--select original", "--select mirror",
         "--select eye", "--pixel 3,3", "--select-vertex 5", "--morph 0.5", "--ui-scale 2"}) {
     SCOPED_TRACE(option);
-    EXPECT_GT(compare(plain, picture(std::string("3-sphere --no-panels ") + option), 8).shareOver, 0.0005);
+    EXPECT_GT(compare(plain, picture(std::string("3-sphere --no-panels ") + option), 8).fractionOver, 0.0005);
   }
   const Bitmap panels = picture("3-sphere --size 640x600");
   for (const char* option : {"--preview original", "--preview difference", "--preview wipe"}) {
     SCOPED_TRACE(option);
-    EXPECT_GT(compare(panels, picture(std::string("3-sphere --size 640x600 ") + option), 8).shareOver,
+    EXPECT_GT(compare(panels, picture(std::string("3-sphere --size 640x600 ") + option), 8).fractionOver,
               0.0005);
   }
 }
@@ -169,7 +169,7 @@ TEST_F(Screenshot, LevelsLookAsTheyDid) {
     ASSERT_EQ(now.channels, expected.channels);
     const BitmapDifference difference = compare(now, expected, 32);
     EXPECT_LE(difference.meanAbsolute, 3);
-    EXPECT_LE(difference.shareOver, 0.02);
+    EXPECT_LE(difference.fractionOver, 0.02);
     if (!HasFailure()) continue;
     const fs::path kept = fs::current_path() / ("window-" + name + "-now.png"),
                    marked = fs::current_path() / ("window-" + name + "-difference.png");

@@ -12,27 +12,27 @@
 namespace anamorph {
 namespace {
 
-// A finished level, as Desk::frame would hand it over.
+// A finished level, as Gui::frame would hand it over.
 class ViewInput : public testing::Test {
  protected:
   void SetUp() override {
-    openLevel(work, std::string(ANAMORPH_LEVELS) + "/2-cylinder.json");
+    openLevel(editor, std::string(ANAMORPH_LEVELS) + "/2-cylinder.json");
     finish();
   }
   // All there, ray trees included where they are wanted.
   void finish() {
-    work.studio.finish(work.session, {64, false});
-    advance(work, 0);
+    editor.updater.finish(editor.session, {64, false});
+    advance(editor, 0);
   }
-  ViewportInput make() { return maker.make(work, ui, false); }
-  std::vector<Line> lines() const { return makeLines(work, ui); }
+  ViewportInput make() { return maker.make(editor, ui, false); }
+  std::vector<Line> lines() const { return makeLines(editor, ui); }
   // Without RT camera and construction, so that rays are all that is left.
   std::size_t rayCount() {
-    work.display.rtCamera = false;
+    editor.display.rtCamera = false;
     return lines().size();
   }
 
-  Workspace work{{}, 2};
+  Editor editor{{}, 2};
   UiState ui;
   ViewInputMaker maker;
 };
@@ -40,7 +40,7 @@ class ViewInput : public testing::Test {
 TEST_F(ViewInput, IsEqualWhileNothingChanges) {
   const ViewportInput first = make();
   for (int i = 0; i < 3; ++i) {
-    advance(work, 0.1);
+    advance(editor, 0.1);
     const ViewportInput again = make();
     EXPECT_EQ(first, again);
     EXPECT_EQ(first.lines.get(), again.lines.get()) << "the same lines keep their pointer: no upload";
@@ -49,7 +49,7 @@ TEST_F(ViewInput, IsEqualWhileNothingChanges) {
 
 TEST_F(ViewInput, ChangesWithTheView) {
   const ViewportInput first = make();
-  work.pose.fovDegrees += 1;
+  editor.pose.fovDegrees += 1;
   EXPECT_FALSE(first == make());
 }
 
@@ -60,126 +60,126 @@ TEST_F(ViewInput, ChangesWithWhatIsLookedAt) {
     const ViewportInput after = make();
     return !(before == after);
   };
-  EXPECT_TRUE(changes([&] { work.selection = {Part::mirror}; }));
-  EXPECT_TRUE(changes([&] { work.display.wireframe = true; }));
-  EXPECT_TRUE(changes([&] { work.rays.vertexCount = 3; }));
+  EXPECT_TRUE(changes([&] { editor.selection = {Part::mirror}; }));
+  EXPECT_TRUE(changes([&] { editor.display.wireframe = true; }));
+  EXPECT_TRUE(changes([&] { editor.rays.vertexCount = 3; }));
   EXPECT_TRUE(changes([&] { ui.scale = 2; }));
   EXPECT_TRUE(changes([&] { ui.preferences.theme = Theme::projector; }));
-  EXPECT_TRUE(changes([&] { work.viewWidth += 1; }));
+  EXPECT_TRUE(changes([&] { editor.viewWidth += 1; }));
   EXPECT_TRUE(changes([&] { ui.hoveredCell = GridCell{2, 2}; }));
   EXPECT_FALSE(changes([&] { ui.hoveredHandle = GizmoHandle::x; })) << "is drawn over the view, not in it";
-  EXPECT_FALSE(changes([&] { work.message = "hello"; }));
+  EXPECT_FALSE(changes([&] { editor.message = "hello"; }));
 }
 
 TEST_F(ViewInput, HasTheSkyOfItsTheme) {
   EXPECT_EQ(make().display.background, skyOf(Theme::dark));
   ui.preferences.theme = Theme::projector;
   EXPECT_EQ(make().display.background, skyOf(Theme::projector));
-  work.display.background = Background{};
+  editor.display.background = Background{};
   EXPECT_EQ(make().display.background, Background{});
 }
 
 TEST_F(ViewInput, LookingThroughHidesWhatWouldBeInTheWay) {
-  ASSERT_EQ(work.display.originalLook, OriginalLook::ghost);
-  toggleLookThrough(work);
+  ASSERT_EQ(editor.display.originalLook, OriginalLook::ghost);
+  toggleLookThrough(editor);
   EXPECT_TRUE(make().display.rtCamera) << "still flying";
-  advance(work, 1);
-  ASSERT_FALSE(work.flight);
+  advance(editor, 1);
+  ASSERT_FALSE(editor.flight);
   EXPECT_FALSE(make().display.rtCamera);
   EXPECT_EQ(make().display.originalLook, OriginalLook::hidden);
-  work.display.originalLook = OriginalLook::solid;
+  editor.display.originalLook = OriginalLook::solid;
   EXPECT_EQ(make().display.originalLook, OriginalLook::solid);
-  toggleLookThrough(work);
-  advance(work, 1);
+  toggleLookThrough(editor);
+  advance(editor, 1);
   EXPECT_TRUE(make().display.rtCamera);
 }
 
 TEST_F(ViewInput, ShowsVertexRaysAtFirst) {
   const std::size_t rays = rayCount();
   EXPECT_GT(rays, 0u);
-  work.rays.vertexCount *= 2;
+  editor.rays.vertexCount *= 2;
   EXPECT_GT(rayCount(), rays);
-  work.rays.show = false;
+  editor.rays.show = false;
   EXPECT_EQ(rayCount(), 0u);
 }
 
 TEST_F(ViewInput, APickedPointHasItsConstructionAlone) {
-  work.point = pickedVertex(*work.studio.products().original.mesh, 5);
-  ASSERT_TRUE(work.point);
+  editor.point = pickedVertex(*editor.updater.products().original.mesh, 5);
+  ASSERT_TRUE(editor.point);
   const std::size_t construction = rayCount();
   EXPECT_GT(construction, 0u);
-  work.rays.vertexCount *= 2;
+  editor.rays.vertexCount *= 2;
   EXPECT_EQ(rayCount(), construction) << "no other vertex rays";
-  work.rays.show = false;
+  editor.rays.show = false;
   EXPECT_EQ(rayCount(), construction) << "it was asked for by a click";
 }
 
 TEST_F(ViewInput, PixelRaysOfAllCellsOrOfOne) {
-  work.rays.source = RaySource::pixels;
+  editor.rays.source = RaySource::pixels;
   EXPECT_EQ(rayCount(), 0u) << "not traced yet";
-  advance(work, 0);
+  advance(editor, 0);
   const std::size_t all = rayCount();
   EXPECT_GT(all, 0u);
-  work.cell = GridCell{4, 4};
-  advance(work, 0);
+  editor.cell = GridCell{4, 4};
+  advance(editor, 0);
   const std::size_t one = rayCount();
   EXPECT_GT(one, 0u);
   EXPECT_LT(one, all);
-  work.rays.show = false;
+  editor.rays.show = false;
   EXPECT_EQ(rayCount(), 0u);
 }
 
 TEST_F(ViewInput, APickedCellIsShownWhateverTheSource) {
-  work.cell = GridCell{4, 4};
-  advance(work, 0);
+  editor.cell = GridCell{4, 4};
+  advance(editor, 0);
   const std::size_t fromVertices = rayCount();
   EXPECT_GT(fromVertices, 0u);
-  work.rays.source = RaySource::pixels;
-  advance(work, 0);
+  editor.rays.source = RaySource::pixels;
+  advance(editor, 0);
   EXPECT_EQ(rayCount(), fromVertices);
 }
 
 TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
-  const Camera& camera = work.session.level().camera;
-  work.rays.hideNoHit = false;
+  const Camera& camera = editor.session.level().camera;
+  editor.rays.hideNoHit = false;
   for (int row = 0; row < camera.gridRows; ++row) {
     for (int column = 0; column < camera.gridColumns; ++column) {
-      work.cell = GridCell{column, row};
-      advance(work, 0);
+      editor.cell = GridCell{column, row};
+      advance(editor, 0);
       EXPECT_GT(rayCount(), 0u) << column << ", " << row;
     }
   }
 }
 
 TEST_F(ViewInput, NothingIsShownOfASculptureThatCannotBe) {
-  Level level = work.session.level();
+  Level level = editor.session.level();
   level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
-  work.session.edit(level);
+  editor.session.edit(level);
   finish();
-  ASSERT_TRUE(work.studio.products().problem);
+  ASSERT_TRUE(editor.updater.products().problem);
   for (const RaySource source : {RaySource::vertices, RaySource::pixels}) {
-    work.rays.source = source;
-    advance(work, 0);
+    editor.rays.source = source;
+    advance(editor, 0);
     EXPECT_EQ(rayCount(), 0u);
   }
 }
 
 TEST_F(ViewInput, NothingIsThereBeforeTheFirstResult) {
-  Workspace fresh({}, 1);
+  Editor fresh({}, 1);
   openLevel(fresh, std::string(ANAMORPH_LEVELS) + "/1-plane.json");
   EXPECT_NO_THROW(maker.make(fresh, ui, false));
   EXPECT_EQ(ViewInputMaker::animationSeconds(fresh), 0);
 }
 
 TEST_F(ViewInput, AnimatedRaysGrowAndStartAgain) {
-  work.display.rtCamera = false;
-  EXPECT_EQ(ViewInputMaker::animationSeconds(work), 0) << "nothing is animated";
-  work.rays.animate = true;
-  const double length = ViewInputMaker::animationSeconds(work);
+  editor.display.rtCamera = false;
+  EXPECT_EQ(ViewInputMaker::animationSeconds(editor), 0) << "nothing is animated";
+  editor.rays.animate = true;
+  const double length = ViewInputMaker::animationSeconds(editor);
   ASSERT_GT(length, 0);
   EXPECT_TRUE(std::isfinite(length));
   const auto total = [&](double seconds) {
-    work.animationSeconds = seconds;
+    editor.animationSeconds = seconds;
     double sum = 0;
     for (const Line& line : lines()) sum += glm::length(line.to - line.from);
     return sum;
@@ -187,13 +187,13 @@ TEST_F(ViewInput, AnimatedRaysGrowAndStartAgain) {
   EXPECT_LT(total(0.1 * length), total(0.5 * length));
   EXPECT_LT(total(0.5 * length), total(length));
   EXPECT_NEAR(total(length + 0.8 + 0.3 * length), total(0.3 * length), 1e-6) << "after a pause, again";
-  work.rays.loop = false;
+  editor.rays.loop = false;
   EXPECT_EQ(total(10 * length), total(length));
 }
 
 TEST_F(ViewInput, TransparentIsHandedOn) {
-  EXPECT_FALSE(maker.make(work, ui, false).transparent);
-  EXPECT_TRUE(maker.make(work, ui, true).transparent);
+  EXPECT_FALSE(maker.make(editor, ui, false).transparent);
+  EXPECT_TRUE(maker.make(editor, ui, true).transparent);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ class Process {
     pid_ = ::fork();
     if (pid_ != 0) return;
     // Drivers of windows leak, and are unloaded before leaks are looked for, so that no suppression can name them.
-    // Our own leaks are found in the tests that make desks.
+    // Our own leaks are found in the tests that make GUIs.
     ::setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
     for (const auto& [name, value] : environment) {
       value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);

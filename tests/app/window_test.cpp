@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "level/level_json.h"
 #include "panels/view_panel.h"
 #include "virtual_window.h"
@@ -37,34 +37,34 @@ Rect rectOf(const std::vector<double>& list) {
 // The same level in this process, seen from where the window sees it: it knows what is where.
 class Twin {
  public:
-  explicit Twin(const std::string& level) : work_({}, 2) {
-    openLevel(work_, level);
-    work_.studio.finish(work_.session, {});
+  explicit Twin(const std::string& level) : editor_({}, 2) {
+    openLevel(editor_, level);
+    editor_.updater.finish(editor_.session, {});
   }
   void follow(const State& state) {
     ui_.layout.view = rectOf(state.list("view"));
     ui_.scale = state.number("scale");
-    work_.pose = poseOf(state);
-    work_.viewWidth = static_cast<int>(ui_.layout.view.width);
-    work_.viewHeight = static_cast<int>(ui_.layout.view.height);
+    editor_.pose = poseOf(state);
+    editor_.viewWidth = static_cast<int>(ui_.layout.view.width);
+    editor_.viewHeight = static_cast<int>(ui_.layout.view.height);
   }
   // A place in the window where a click meets what is wanted.
   std::optional<Pixel> placeOf(const std::function<bool(const Pick&)>& wanted) {
-    for (double y = 10; y < work_.viewHeight - 10; y += 9) {
-      for (double x = 10; x < work_.viewWidth - 10; x += 9) {
+    for (double y = 10; y < editor_.viewHeight - 10; y += 9) {
+      for (double x = 10; x < editor_.viewWidth - 10; x += 9) {
         const Pixel p(x, y);
         // Not at an edge: a pixel to either side it has to be the same.
-        const bool all = wanted(pickAt(work_, ui_, p)) && wanted(pickAt(work_, ui_, p + Pixel(4, 0))) &&
-                         wanted(pickAt(work_, ui_, p + Pixel(0, 4)));
+        const bool all = wanted(pickAt(editor_, ui_, p)) && wanted(pickAt(editor_, ui_, p + Pixel(4, 0))) &&
+                         wanted(pickAt(editor_, ui_, p + Pixel(0, 4)));
         if (all) return inWindow(p);
       }
     }
     return std::nullopt;
   }
   std::optional<Pixel> gripOf(const Selection& selection, GizmoHandle handle) {
-    work_.selection = selection;
-    const Gizmo gizmo = currentGizmo(work_, ui_).gizmo;
-    work_.selection = {};
+    editor_.selection = selection;
+    const Gizmo gizmo = currentGizmo(editor_, ui_).gizmo;
+    editor_.selection = {};
     for (const GizmoShape& shape : gizmo.shapes) {
       if (shape.handle != handle || shape.points.empty()) continue;
       Pixel middle(0);
@@ -77,7 +77,7 @@ class Twin {
  private:
   Pixel inWindow(const Pixel& p) const { return p + Pixel(ui_.layout.view.x, ui_.layout.view.y); }
 
-  Workspace work_;
+  Editor editor_;
   UiState ui_;
 };
 

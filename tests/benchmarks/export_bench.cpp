@@ -12,8 +12,8 @@
 #include "geometry/bvh.h"
 #include "geometry/shapes.h"
 #include "level/level_json.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
-#include "pipeline/settle.h"
 #include "ratios.h"
 
 namespace anamorph {

@@ -99,7 +99,7 @@ TEST(Construction, ExplainsEveryOtherStatus) {
     Optic optic;
     Point eye, original;
     PathStatus status;
-    bool meetsMirror;
+    bool hitsMirror;
   };
   const Case cases[] = {
       {plane, {0, -10, 5}, {0, 5, 100}, PathStatus::missesMirror, false},
@@ -115,7 +115,7 @@ TEST(Construction, ExplainsEveryOtherStatus) {
     EXPECT_TRUE(allFinite(made));
     EXPECT_FALSE(made.explanation.empty());
     EXPECT_FALSE(find(made, "S"));
-    EXPECT_EQ(find(made, "Q") != nullptr, c.meetsMirror);
+    EXPECT_EQ(find(made, "Q") != nullptr, c.hitsMirror);
     EXPECT_FALSE(made.segments.empty());
     if (c.status != PathStatus::hitsMirrorAgain) continue;
     for (const ConstructionSegment& segment : made.segments) {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "level/level_json.h"
 
 namespace anamorph::testing {
@@ -30,11 +30,11 @@ class LevelFile {
 };
 
 /// Frames until everything is computed, nothing moves and the lesson has seen it.
-inline void settle(Workspace& work) {
+inline void evaluate(Editor& editor) {
   for (int calm = 0; calm < 3; ++calm) {
-    while (work.flight || work.lesson.play) advance(work, 0.05);
-    work.studio.finish(work.session, {work.preview.size, false});
-    advance(work, 0.01);
+    while (editor.flight || editor.lesson.play) advance(editor, 0.05);
+    editor.updater.finish(editor.session, {editor.preview.size, false});
+    advance(editor, 0.01);
   }
 }
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/editor.h"
 #include "edit/level_edits.h"
-#include "edit/workspace.h"
 #include "lesson_levels.h"
 #include "level/level_json.h"
 
@@ -21,7 +21,7 @@ std::string step(const std::string& id, const std::string& done, const std::stri
          ", \"show\": " + show + "}";
 }
 
-// A workspace with a small plane level and these steps, settled.
+// A editor with a small plane level and these steps, settled.
 class LessonRunTest : public ::testing::Test {
  protected:
   void open(const std::string& steps) {
@@ -30,143 +30,143 @@ class LessonRunTest : public ::testing::Test {
     level.sculpture.tolerancePixels = 1;
     level.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}";
     folder_.save(level);
-    openLevel(work, folder_.path());
-    work.preview.size = 16;
-    settle(work);
+    openLevel(editor, folder_.path());
+    editor.preview.size = 16;
+    evaluate(editor);
   }
   void change(const std::function<void(Level&)>& how) {
-    Level level = work.session.level();
+    Level level = editor.session.level();
     how(level);
-    work.session.edit(level);
-    settle(work);
+    editor.session.edit(level);
+    evaluate(editor);
   }
 
   LevelFile folder_;
-  Workspace work;
+  Editor editor;
 };
 
 TEST_F(LessonRunTest, AMovedEyeCountsWhenTheDragEnds) {
   open(step("eye", R"([{"when": "movedEye"}])"));
-  EXPECT_FALSE(work.lesson.done);
-  Level level = work.session.level();
+  EXPECT_FALSE(editor.lesson.done);
+  Level level = editor.session.level();
   level.camera.eye.x += 1;
-  work.session.change(level);
-  advance(work, 0.01);
-  EXPECT_FALSE(work.lesson.done) << "the drag goes on";
-  work.session.finishChange();
-  advance(work, 0.01);
-  EXPECT_TRUE(work.lesson.done);
-  EXPECT_EQ(work.progress, (LessonProgress{{"test", {"eye"}}}));
+  editor.session.change(level);
+  advance(editor, 0.01);
+  EXPECT_FALSE(editor.lesson.done) << "the drag goes on";
+  editor.session.finishChange();
+  advance(editor, 0.01);
+  EXPECT_TRUE(editor.lesson.done);
+  EXPECT_EQ(editor.progress, (LessonProgress{{"test", {"eye"}}}));
 }
 
 TEST_F(LessonRunTest, AStateThatAlreadyHoldsHasToBeLeftFirst) {
   open(step("on", R"([{"when": "toleranceOn"}])"));
-  settle(work);
-  EXPECT_FALSE(work.lesson.done);
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done);
   change([](Level& level) { level.sculpture.tolerancePixels = 0; });
-  EXPECT_FALSE(work.lesson.done);
+  EXPECT_FALSE(editor.lesson.done);
   change([](Level& level) { level.sculpture.tolerancePixels = 0.5; });
-  EXPECT_TRUE(work.lesson.done);
+  EXPECT_TRUE(editor.lesson.done);
 }
 
 TEST_F(LessonRunTest, TheMatchIsJudgedWhenItIsSettled) {
   open(step("worse", R"([{"when": "matchBelow", "value": 0.9}])") + "," +
        step("better", R"([{"when": "matchAbove", "value": 0.99}])"));
-  EXPECT_FALSE(work.lesson.done);
-  const Level right = work.session.level();
+  EXPECT_FALSE(editor.lesson.done);
+  const Level right = editor.session.level();
   change([](Level& level) {
     level.optic.shape = PlaneMirror{{Point(-8, 0, 0), Point(0, 0, 0), Point(0, 0, 8), Point(-8, 0, 8)}};
   });
-  EXPECT_TRUE(work.lesson.done);
-  nextStep(work);
-  settle(work);
-  EXPECT_FALSE(work.lesson.done);
-  work.session.edit(right);
-  settle(work);
-  EXPECT_TRUE(work.lesson.done);
-  EXPECT_TRUE(scoreOf(work.lesson.lesson, work.progress).badge);
+  EXPECT_TRUE(editor.lesson.done);
+  nextStep(editor);
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done);
+  editor.session.edit(right);
+  evaluate(editor);
+  EXPECT_TRUE(editor.lesson.done);
+  EXPECT_TRUE(scoreOf(editor.lesson.lesson, editor.progress).badge);
 }
 
 TEST_F(LessonRunTest, AProblemIsNoMatch) {
   open(step("worse", R"([{"when": "matchBelow", "value": 0.5}])"));
   change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
-  ASSERT_TRUE(work.studio.products().problem);
-  EXPECT_TRUE(work.lesson.done);
+  ASSERT_TRUE(editor.updater.products().problem);
+  EXPECT_TRUE(editor.lesson.done);
 }
 
 TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
   open(step("free", R"([{"when": "hiddenShareBelow", "value": 0}, {"when": "movedEye"}])"));
   change([](Level& level) { level.sculpture.depthScale = 0.5; });
-  ASSERT_GT(work.studio.products().match->report.hiddenShare, 0);
+  ASSERT_GT(editor.updater.products().match->report.hiddenShare, 0);
   change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
-  EXPECT_FALSE(work.lesson.done);
+  EXPECT_FALSE(editor.lesson.done);
   change([](Level& level) { level.camera.target = level.camera.eye + Vector(0, -1, 0); });
-  EXPECT_FALSE(work.lesson.done);
+  EXPECT_FALSE(editor.lesson.done);
 }
 
 TEST_F(LessonRunTest, IsThatOfTheLevelThatWasPasted) {
   open(step("first", R"([{"when": "movedEye"}])"));
-  const std::string own = work.session.level().lesson;
+  const std::string own = editor.session.level().lesson;
   change([&](Level& level) {
     level.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
                    step("pasted", R"([{"when": "undone"}])") + "]}";
   });
-  EXPECT_EQ(work.lesson.lesson.id, "other");
-  work.session.undo();
-  settle(work);
-  EXPECT_EQ(work.lesson.lesson.id, "test");
-  EXPECT_EQ(work.session.level().lesson, own);
+  EXPECT_EQ(editor.lesson.lesson.id, "other");
+  editor.session.undo();
+  evaluate(editor);
+  EXPECT_EQ(editor.lesson.lesson.id, "test");
+  EXPECT_EQ(editor.session.level().lesson, own);
 }
 
 TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
   open(step("both", R"([{"when": "viewed", "what": "difference"}, {"when": "depthScaleChanged"}])"));
   change([](Level& level) { level.sculpture.depthScale = 2; });
   change([](Level& level) { level.sculpture.depthScale = 1; });
-  EXPECT_FALSE(work.lesson.done);
-  work.preview.tab = PreviewTab::difference;
-  advance(work, 0.01);
-  EXPECT_TRUE(work.lesson.done) << "the depth scale had been changed, though it is back";
+  EXPECT_FALSE(editor.lesson.done);
+  editor.preview.tab = PreviewTab::difference;
+  advance(editor, 0.01);
+  EXPECT_TRUE(editor.lesson.done) << "the depth scale had been changed, though it is back";
 }
 
 TEST_F(LessonRunTest, AStepThatIsOnlyReadIsDoneByNext) {
   open(step("read", "[]") + "," + step("eye", R"([{"when": "movedEye"}])"));
-  settle(work);
-  EXPECT_FALSE(work.lesson.done);
-  nextStep(work);
-  EXPECT_EQ(work.lesson.step, 1u);
-  EXPECT_EQ(work.progress["test"].count("read"), 1u);
-  nextStep(work);
-  EXPECT_EQ(work.lesson.step, 1u) << "the last";
-  EXPECT_EQ(work.progress["test"].count("eye"), 0u) << "skipping is not doing";
-  previousStep(work);
-  previousStep(work);
-  EXPECT_EQ(work.lesson.step, 0u);
-  EXPECT_TRUE(work.lesson.done) << "once done, always done";
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done);
+  nextStep(editor);
+  EXPECT_EQ(editor.lesson.step, 1u);
+  EXPECT_EQ(editor.progress["test"].count("read"), 1u);
+  nextStep(editor);
+  EXPECT_EQ(editor.lesson.step, 1u) << "the last";
+  EXPECT_EQ(editor.progress["test"].count("eye"), 0u) << "skipping is not doing";
+  previousStep(editor);
+  previousStep(editor);
+  EXPECT_EQ(editor.lesson.step, 0u);
+  EXPECT_TRUE(editor.lesson.done) << "once done, always done";
 }
 
 TEST_F(LessonRunTest, ALevelOpensWhereTheStudentLeftOff) {
-  work.progress = {{"test", {"a", "c"}}};
+  editor.progress = {{"test", {"a", "c"}}};
   open(step("a", "[]") + "," + step("b", "[]") + "," + step("c", "[]"));
-  EXPECT_EQ(work.lesson.step, 1u);
-  work.progress["test"].insert("b");
-  openLevel(work, folder_.path());
-  advance(work, 0.01);
-  EXPECT_EQ(work.lesson.step, 0u) << "all are done";
+  EXPECT_EQ(editor.lesson.step, 1u);
+  editor.progress["test"].insert("b");
+  openLevel(editor, folder_.path());
+  advance(editor, 0.01);
+  EXPECT_EQ(editor.lesson.step, 0u) << "all are done";
 }
 
 TEST_F(LessonRunTest, AStepThatWasDoneBeforeIsObservedAnew) {
-  work.progress = {{"test", {"eye"}}};
+  editor.progress = {{"test", {"eye"}}};
   open(step("eye", R"([{"when": "movedEye"}])"));
-  EXPECT_TRUE(work.lesson.done);
-  EXPECT_FALSE(work.lesson.doneNow) << "for an audience it is to be done";
+  EXPECT_TRUE(editor.lesson.done);
+  EXPECT_FALSE(editor.lesson.doneNow) << "for an audience it is to be done";
   change([](Level& level) { level.camera.eye.x += 1; });
-  EXPECT_TRUE(work.lesson.doneNow);
+  EXPECT_TRUE(editor.lesson.doneNow);
 }
 
 TEST_F(LessonRunTest, PointsAndBadge) {
   open(step("a", "[]") + "," + step("b", "[]") +
        ",{\"id\": \"c\", \"title\": \"\", \"why\": \"\", \"do\": \"\", \"optional\": true}");
-  const Lesson& lesson = work.lesson.lesson;
+  const Lesson& lesson = editor.lesson.lesson;
   const auto score = [&](std::set<std::string> done) { return scoreOf(lesson, {{"test", std::move(done)}}); };
   EXPECT_EQ(score({}).points, 0);
   EXPECT_EQ(score({}).of, 25);
@@ -178,54 +178,54 @@ TEST_F(LessonRunTest, PointsAndBadge) {
 
 TEST_F(LessonRunTest, ShowMeMovesWithinASecondOrTwoAndIsOneStepBack) {
   open(step("eye", R"([{"when": "movedEye"}])", R"({"eye": [1, -10, 5], "depthScale": 0.5, "morph": 0.25})"));
-  const Level before = work.session.level();
-  playStep(work);
-  EXPECT_TRUE(isMoving(work));
-  advance(work, 1.4);
-  const Point between = work.session.level().camera.eye;
+  const Level before = editor.session.level();
+  playStep(editor);
+  EXPECT_TRUE(isMoving(editor));
+  advance(editor, 1.4);
+  const Point between = editor.session.level().camera.eye;
   EXPECT_GT(between.x, 0);
   EXPECT_LT(between.x, 1);
-  EXPECT_FALSE(work.lesson.done);
+  EXPECT_FALSE(editor.lesson.done);
   double lowest = 1;
-  for (int i = 0; i < 200 && work.lesson.play; ++i) {
-    advance(work, 0.05);
-    lowest = std::min(lowest, work.display.morph);
+  for (int i = 0; i < 200 && editor.lesson.play; ++i) {
+    advance(editor, 0.05);
+    lowest = std::min(lowest, editor.display.morph);
   }
-  EXPECT_EQ(work.session.level().camera.eye, Point(1, -10, 5));
-  EXPECT_EQ(work.session.level().sculpture.depthScale, 0.5);
+  EXPECT_EQ(editor.session.level().camera.eye, Point(1, -10, 5));
+  EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   EXPECT_NEAR(lowest, 0.25, 0.01);
-  EXPECT_EQ(work.display.morph, 1) << "there and back";
-  EXPECT_TRUE(work.lesson.done);
-  work.session.undo();
-  EXPECT_TRUE(work.session.level() == before);
+  EXPECT_EQ(editor.display.morph, 1) << "there and back";
+  EXPECT_TRUE(editor.lesson.done);
+  editor.session.undo();
+  EXPECT_TRUE(editor.session.level() == before);
 }
 
 TEST_F(LessonRunTest, AHandOnTheLevelEndsTheShow) {
   open(step("eye", R"([{"when": "movedEye"}])", R"({"eye": [1, -10, 5]})"));
-  playStep(work);
-  advance(work, 0.3);
-  Level level = work.session.level();
+  playStep(editor);
+  advance(editor, 0.3);
+  Level level = editor.session.level();
   level.camera.eye = {-3, -9, 4};
-  work.session.change(level);
-  advance(work, 0.3);
-  EXPECT_FALSE(work.lesson.play);
-  EXPECT_EQ(work.session.level().camera.eye, Point(-3, -9, 4));
+  editor.session.change(level);
+  advance(editor, 0.3);
+  EXPECT_FALSE(editor.lesson.play);
+  EXPECT_EQ(editor.session.level().camera.eye, Point(-3, -9, 4));
 }
 
 TEST_F(LessonRunTest, AMoveMakesABoxCoarserAndNothingElse) {
   open(step("eight", R"([{"when": "changedOriginal"}])", R"({"segments": 1})") + "," +
        step("pawn", "[]", R"({"shape": "pawn", "segments": 1})"));
-  const BoxShape before = std::get<BoxShape>(work.session.level().original.shape);
-  playStep(work);
-  settle(work);
-  const BoxShape after = std::get<BoxShape>(work.session.level().original.shape);
+  const BoxShape before = std::get<BoxShape>(editor.session.level().original.shape);
+  playStep(editor);
+  evaluate(editor);
+  const BoxShape after = std::get<BoxShape>(editor.session.level().original.shape);
   EXPECT_EQ(after.segments, 1);
   EXPECT_EQ(after.size, before.size);
-  EXPECT_TRUE(work.lesson.done);
-  nextStep(work);
-  playStep(work);
-  settle(work);
-  EXPECT_EQ(std::get<PawnShape>(work.session.level().original.shape), PawnShape{});
+  EXPECT_TRUE(editor.lesson.done);
+  nextStep(editor);
+  playStep(editor);
+  evaluate(editor);
+  EXPECT_EQ(std::get<PawnShape>(editor.session.level().original.shape), PawnShape{});
 }
 
 TEST_F(LessonRunTest, EveryPartOfAMove) {
@@ -233,21 +233,21 @@ TEST_F(LessonRunTest, EveryPartOfAMove) {
             R"({"original": [1, 4, 1], "mirror": [0, 0.5, 4], "fovDegrees": 30, "tolerance": "off",
        "viewEye": [9, -9, 9], "viewTarget": [0, 0, 1], "vertex": 3, "pixel": [2, 5], "preview": "wipe",
        "rays": "pixels", "shape": "pawn", "animate": true, "wireframe": true})"));
-  playStep(work);
-  finishPlay(work);
-  for (int i = 0; i < 30; ++i) advance(work, 0.1);
-  const Level& level = work.session.level();
+  playStep(editor);
+  finishPlay(editor);
+  for (int i = 0; i < 30; ++i) advance(editor, 0.1);
+  const Level& level = editor.session.level();
   EXPECT_EQ(level.original.placement.position, Point(1, 4, 1));
   EXPECT_LT(glm::length(middleOf(level.optic.shape) - Point(0, 0.5, 4)), 1e-12);
   EXPECT_EQ(level.camera.fovDegrees, 30);
   EXPECT_EQ(level.sculpture.tolerancePixels, 0);
   EXPECT_TRUE(std::holds_alternative<PawnShape>(level.original.shape));
-  EXPECT_EQ(work.pose.eye, Point(9, -9, 9));
-  EXPECT_TRUE(work.point);
-  EXPECT_EQ(work.cell, (GridCell{2, 5}));
-  EXPECT_EQ(work.preview.tab, PreviewTab::wipe);
-  EXPECT_EQ(work.rays.source, RaySource::pixels);
-  EXPECT_TRUE(work.rays.animate && work.display.wireframe);
+  EXPECT_EQ(editor.pose.eye, Point(9, -9, 9));
+  EXPECT_TRUE(editor.point);
+  EXPECT_EQ(editor.cell, (GridCell{2, 5}));
+  EXPECT_EQ(editor.preview.tab, PreviewTab::wipe);
+  EXPECT_EQ(editor.rays.source, RaySource::pixels);
+  EXPECT_TRUE(editor.rays.animate && editor.display.wireframe);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/editor.h"
 #include "edit/lesson_run.h"
-#include "edit/workspace.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 
@@ -54,29 +54,29 @@ bool needsMatch(const LessonStep& step) {
 }
 
 // Frames until nothing moves, and until all is computed if the step waits for that.
-void rest(Workspace& work, const LessonStep& step) {
+void rest(Editor& editor, const LessonStep& step) {
   do {
-    advance(work, 0.05);
-  } while (work.flight || work.lesson.play);
-  if (needsMatch(step)) work.studio.finish(work.session, {work.preview.size, false});
-  advance(work, 0.01);
+    advance(editor, 0.05);
+  } while (editor.flight || editor.lesson.play);
+  if (needsMatch(step)) editor.updater.finish(editor.session, {editor.preview.size, false});
+  advance(editor, 0.01);
 }
 
 // The move of the open step; what a move cannot do is done here.
-void makeMove(Workspace& work) {
-  const LessonStep step = work.lesson.open();
-  playStep(work);
+void makeMove(Editor& editor) {
+  const LessonStep step = editor.lesson.open();
+  playStep(editor);
   for (const StepCondition& condition : step.done) {
-    if (condition.when == StepEvent::exported) ++work.exported;  // tests/panels export real files
+    if (condition.when == StepEvent::exported) ++editor.exported;  // tests/panels export real files
   }
-  rest(work, step);
+  rest(editor, step);
 }
 
-void open(Workspace& work, const InstalledLesson& lesson) {
-  openLevel(work, lesson.path);
-  work.preview.size = 16;
-  work.studio.finish(work.session, {work.preview.size, false});
-  rest(work, {});
+void open(Editor& editor, const InstalledLesson& lesson) {
+  openLevel(editor, lesson.path);
+  editor.preview.size = 16;
+  editor.updater.finish(editor.session, {editor.preview.size, false});
+  rest(editor, {});
 }
 
 // One step; the names are those of the tests.
@@ -104,29 +104,29 @@ std::string nameOf(const testing::TestParamInfo<Case>& info) {
 
 class StepTest : public testing::TestWithParam<Case> {
  protected:
-  Workspace work{{}, 2};
+  Editor editor{{}, 2};
 };
 
 // Opened directly after the moves of the steps before it.
 TEST_P(StepTest, IsDoneByItsMoveAndNotBefore) {
   const auto& [lesson, index] = GetParam();
-  open(work, lesson);
+  open(editor, lesson);
   for (std::size_t i = 0; i < index; ++i) {
-    openStep(work, i);
-    makeMove(work);
+    openStep(editor, i);
+    makeMove(editor);
   }
-  openStep(work, index);
-  const LessonStep& step = work.lesson.open();
-  rest(work, step);
-  work.progress.clear();
-  ASSERT_FALSE(work.lesson.done) << "before anything is done";
+  openStep(editor, index);
+  const LessonStep& step = editor.lesson.open();
+  rest(editor, step);
+  editor.progress.clear();
+  ASSERT_FALSE(editor.lesson.done) << "before anything is done";
   if (step.done.empty()) {
-    nextStep(work);
+    nextStep(editor);
   } else {
-    makeMove(work);
-    EXPECT_TRUE(work.lesson.done);
+    makeMove(editor);
+    EXPECT_TRUE(editor.lesson.done);
   }
-  EXPECT_TRUE(isDone(work.lesson.lesson, step, work.progress));
+  EXPECT_TRUE(isDone(editor.lesson.lesson, step, editor.progress));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, StepTest, testing::ValuesIn(allSteps()), nameOf);
@@ -137,21 +137,21 @@ class LessonTest : public testing::TestWithParam<InstalledLesson> {
 };
 
 TEST_P(LessonTest, IsWorkedThroughFromBeginningToEnd) {
-  Workspace work({}, 2);
-  open(work, GetParam());
-  ASSERT_FALSE(work.lesson.empty());
+  Editor editor({}, 2);
+  open(editor, GetParam());
+  ASSERT_FALSE(editor.lesson.empty());
   for (std::size_t i = 0; i < lesson().steps.size(); ++i) {
-    const LessonStep step = work.lesson.open();
+    const LessonStep step = editor.lesson.open();
     SCOPED_TRACE(step.id);
-    ASSERT_EQ(work.lesson.step, i);
-    rest(work, step);
-    ASSERT_FALSE(work.lesson.done);
-    EXPECT_FALSE(scoreOf(lesson(), work.progress).badge && !step.optional);
-    if (!step.done.empty()) makeMove(work);
-    ASSERT_TRUE(work.lesson.done || step.done.empty());
-    nextStep(work);
+    ASSERT_EQ(editor.lesson.step, i);
+    rest(editor, step);
+    ASSERT_FALSE(editor.lesson.done);
+    EXPECT_FALSE(scoreOf(lesson(), editor.progress).badge && !step.optional);
+    if (!step.done.empty()) makeMove(editor);
+    ASSERT_TRUE(editor.lesson.done || step.done.empty());
+    nextStep(editor);
   }
-  const LessonScore score = scoreOf(lesson(), work.progress);
+  const LessonScore score = scoreOf(lesson(), editor.progress);
   EXPECT_EQ(score.points, score.of);
   EXPECT_TRUE(score.badge);
 }

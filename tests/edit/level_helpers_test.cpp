@@ -150,10 +150,10 @@ TEST(EyeLifted, IsCancelledSoonAndReportsHowFarItIs) {
   Progress progress;
   int reports = 0;
   double last = -1;
-  progress.report = [&](double share) {
-    EXPECT_GE(share, last);
-    EXPECT_LE(share, 1);
-    last = share;
+  progress.report = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    last = fraction;
     if (++reports == 3) progress.token.cancel();
   };
   EXPECT_FALSE(eyeLifted(level, mesh, 1, progress));

@@ -88,9 +88,9 @@ TEST(WithOriginal, FitsTheOldOnesBox) {
       EXPECT_LT(glm::length(box.centre() - old.centre()), 1e-6 * old.diagonal());
       double fullest = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        const double share = box.size()[axis] / old.size()[axis];
-        EXPECT_LE(share, 1 + 1e-9);
-        fullest = std::max(fullest, share);
+        const double fraction = box.size()[axis] / old.size()[axis];
+        EXPECT_LE(fraction, 1 + 1e-9);
+        fullest = std::max(fullest, fraction);
       }
       EXPECT_NEAR(fullest, 1, 1e-6) << "as large as fits";
       EXPECT_EQ(made.original.material, level.original.material);

@@ -66,11 +66,11 @@ TEST(BasePlate, OfTheCylinderLevelHidesNothing) {
   const Arrangement arrangement = makeArrangement(cylinder, 10, BasePlateSettings{});
   ASSERT_TRUE(arrangement.plate);
   EXPECT_EQ(arrangement.plate->lowerFace, arrangement.table);
-  EXPECT_EQ(shareHiddenByPlate(cylinder, arrangement), 0);
+  EXPECT_EQ(fractionHiddenByPlate(cylinder, arrangement), 0);
   // A plate as large as a wall does hide the mirror.
   Arrangement walled = arrangement;
   walled.plate->mesh = moved(makeBox({200, 1, 400}, 1), {0, -60, 0});
-  EXPECT_GT(shareHiddenByPlate(cylinder, walled), 0.9);
+  EXPECT_GT(fractionHiddenByPlate(cylinder, walled), 0.9);
 }
 
 TEST(ConvexHull, HasTheCornersOnly) {

@@ -209,8 +209,8 @@ TEST(Export, CancelledWritesNothing) {
     EXPECT_FALSE(exportLevel(finished, requestFor(folder / name), 1, before)) << name;
     // Cancelled on the way, at the first report of some progress.
     Progress progress;
-    progress.report = [token = progress.token](double share) {
-      if (share > 0) token.cancel();
+    progress.report = [token = progress.token](double fraction) {
+      if (fraction > 0) token.cancel();
     };
     EXPECT_FALSE(exportLevel(finished, requestFor(folder / name), 1, progress)) << name;
   }

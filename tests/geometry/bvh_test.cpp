@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where the ray meets a triangle that is larger by `margin` on every side (in barycentrics); infinity for a
 /// miss.
-double meetInDouble(const Mesh& mesh, const Triangle& t, const Ray& ray, double margin) {
+double intersectInDouble(const Mesh& mesh, const Triangle& t, const Ray& ray, double margin) {
   const Point a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
   const Vector p = glm::cross(ray.direction, c - a), s = ray.origin - a, q = glm::cross(s, b - a);
   const double determinant = glm::dot(b - a, p);
@@ -34,7 +34,7 @@ double meetInDouble(const Mesh& mesh, const Triangle& t, const Ray& ray, double 
 double nearestInDouble(const Mesh& mesh, const Ray& ray, double margin, double tMin, double tMax) {
   double nearest = infinity;
   for (const Triangle& t : mesh.triangles) {
-    const double at = meetInDouble(mesh, t, ray, margin);
+    const double at = intersectInDouble(mesh, t, ray, margin);
     if (at > tMin && at < tMax) nearest = std::min(nearest, at);
   }
   return nearest;
@@ -123,9 +123,9 @@ TEST_P(BvhScenes, AbsentPointsTakeTheirTrianglesAwayUntilTheNextRefit) {
     const Bvh whole = bvh;
     PointArray points = mesh.positions;
     std::vector<std::uint8_t> absent(points.size());
-    const double share = seed == 0 ? 0 : random.uniform(0, 0.7);
+    const double fraction = seed == 0 ? 0 : random.uniform(0, 0.7);
     for (std::size_t i = 0; i < absent.size(); ++i) {
-      if (random.uniform(0, 1) >= share) continue;
+      if (random.uniform(0, 1) >= fraction) continue;
       absent[i] = static_cast<std::uint8_t>(random.uniform(1, 255.99));
       points.set(i, 1e4 * scene.reach * random.inCube(1));  // wherever an absent point is, it costs nothing
     }

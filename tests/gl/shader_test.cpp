@@ -24,7 +24,7 @@ using Defines = std::vector<std::string>;
 
 /// What a file is compiled with.
 std::vector<Defines> variantsOf(const std::string& name) {
-  if (name != "studio.frag.glsl") return {{}};
+  if (name != "scene_pass.frag.glsl") return {{}};
   std::vector<Defines> variants;
   for (const char* kind : {"0", "1", "2", "3"}) {
     const std::string mirror = std::string("MIRROR_KIND ") + kind;

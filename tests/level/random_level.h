@@ -18,7 +18,7 @@ class RandomLevel {
     level.title = text();
     level.description = text();
     level.optic = {coin() ? OpticKind::mirror : OpticKind::none, mirror()};
-    level.mirrorLook = {color(), share()};
+    level.mirrorLook = {color(), fraction()};
     level.camera = camera();
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
     level.sculpture = {
@@ -47,7 +47,7 @@ class RandomLevel {
   }
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
   bool coin() { return whole(0, 1) == 1; }
-  double share() { return between(0, 1); }
+  double fraction() { return between(0, 1); }
   double coordinate() { return coin() ? between(-1e6, 1e6) : whole(-20, 20); }
   double length() { return std::pow(10, between(-6, 6)); }
   Point point() {
@@ -59,8 +59,8 @@ class RandomLevel {
     return {x, y, length()};
   }
   Color color() {
-    const double red = share(), green = share();
-    return {red, green, share()};
+    const double red = fraction(), green = fraction();
+    return {red, green, fraction()};
   }
   std::string text() {
     const char* pieces[] = {"box", " ", "\"", "\\", "/", "\n", "\t", "é", "镜", "🙂", "\x01", "</script>"};
@@ -70,7 +70,7 @@ class RandomLevel {
   }
   Material material() {
     const Color base = color();
-    const double ambient = share(), diffuse = share(), specular = share();
+    const double ambient = fraction(), diffuse = fraction(), specular = fraction();
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
   MirrorShape mirror() {

@@ -67,17 +67,17 @@ TEST(Actions, LettersAndDigitsHaveTheNameOfTheirKey) {
   }
 }
 
-TEST(Actions, NoneHarmsAFreshWorkspace) {
+TEST(Actions, NoneHarmsAFreshEditor) {
   for (const Action action : allActions()) {
     SCOPED_TRACE(int(action));
-    Workspace work({}, 1);
+    Editor editor({}, 1);
     UiState ui;
     for (int i = 0; i < 3; ++i) {
-      EXPECT_NO_THROW(perform(action, work, ui));
-      EXPECT_NO_THROW(advance(work, 0.1));
+      EXPECT_NO_THROW(perform(action, editor, ui));
+      EXPECT_NO_THROW(advance(editor, 0.1));
     }
-    EXPECT_EQ(work.session.level(), Level());
-    EXPECT_FALSE(work.session.canUndo() || work.session.canRedo());
+    EXPECT_EQ(editor.session.level(), Level());
+    EXPECT_FALSE(editor.session.canUndo() || editor.session.canRedo());
     EXPECT_EQ(ui.requests.open, std::nullopt) << "there is nothing that could be opened";
   }
 }
@@ -86,19 +86,19 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     testing::Random random(seed);
-    Workspace work({}, 1);
-    openLevel(work, levels / "1-plane.json");
-    work.studio.cancel();
+    Editor editor({}, 1);
+    openLevel(editor, levels / "1-plane.json");
+    editor.updater.cancel();
     UiState ui;
     ui.levels = listLevels(levels);
     for (int i = 0; i < 60; ++i) {
       const auto actions = allActions();
       const Action action = actions[static_cast<std::size_t>(random.integer(0, int(actions.size()) - 1))];
       if (action == Action::showStep) continue;  // the lesson's move does change the level
-      perform(action, work, ui);
-      if (i % 3 == 0) advance(work, 0.05);
-      EXPECT_TRUE(isFinite(work.pose.eye) && isFinite(work.pose.target) && isFinite(work.pose.up));
-      EXPECT_FALSE(work.session.modified());
+      perform(action, editor, ui);
+      if (i % 3 == 0) advance(editor, 0.05);
+      EXPECT_TRUE(isFinite(editor.pose.eye) && isFinite(editor.pose.target) && isFinite(editor.pose.up));
+      EXPECT_FALSE(editor.session.modified());
     }
   }
 }
@@ -107,21 +107,21 @@ TEST(Actions, OnlyTheWindowsOwnAreAskedOfIt) {
   const std::set<Action> asked{Action::reload,    Action::screenshot,  Action::quit,    Action::fullscreen,
                                Action::nextLevel, Action::renderImage, Action::newLevel};
   for (const Action action : allActions()) {
-    Workspace work({}, 1);
-    openLevel(work, levels / "0-perspective.json");  // the first
+    Editor editor({}, 1);
+    openLevel(editor, levels / "0-perspective.json");  // the first
     UiState ui;
     ui.levels = listLevels(levels);
-    perform(action, work, ui);
+    perform(action, editor, ui);
     EXPECT_EQ(anythingAsked(ui.requests), asked.count(action) > 0) << int(action);
   }
 }
 
 TEST(Actions, AnExportThatRunsIsNotAskedFor) {
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   UiState ui;
   ui.exporting.open = ui.exporting.running = true;
   const int kind = ui.exporting.kind;
-  for (const int key : {keys::enter, keys::left, keys::right}) handleKey(key, 0, work, ui);
+  for (const int key : {keys::enter, keys::left, keys::right}) handleKey(key, 0, editor, ui);
   EXPECT_FALSE(ui.exporting.saveAsked);
   EXPECT_EQ(ui.exporting.kind, kind);
 }
@@ -130,17 +130,17 @@ TEST(Actions, NeighboursEndAtTheFirstAndTheLastLevel) {
   UiState ui;
   ui.levels = listLevels(levels);
   ASSERT_GE(ui.levels.size(), 3u);
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   for (std::size_t i = 0; i < ui.levels.size(); ++i) {
-    openLevel(work, ui.levels[i].path);
+    openLevel(editor, ui.levels[i].path);
     ui.requests = {};
-    perform(Action::previousLevel, work, ui);
+    perform(Action::previousLevel, editor, ui);
     EXPECT_EQ(ui.requests.open.has_value(), i > 0);
     if (ui.requests.open) {
       EXPECT_EQ(*ui.requests.open, ui.levels[i - 1].path);
     }
     ui.requests = {};
-    perform(Action::nextLevel, work, ui);
+    perform(Action::nextLevel, editor, ui);
     EXPECT_EQ(ui.requests.open.has_value(), i + 1 < ui.levels.size());
     if (ui.requests.open) {
       EXPECT_EQ(*ui.requests.open, ui.levels[i + 1].path);
@@ -151,95 +151,95 @@ TEST(Actions, NeighboursEndAtTheFirstAndTheLastLevel) {
 TEST(Actions, NeighboursAreFoundHoweverThePathIsWritten) {
   UiState ui;
   ui.levels = listLevels(levels);
-  Workspace work({}, 1);
-  openLevel(work, levels / ".." / "levels" / "0-perspective.json");
-  perform(Action::nextLevel, work, ui);
+  Editor editor({}, 1);
+  openLevel(editor, levels / ".." / "levels" / "0-perspective.json");
+  perform(Action::nextLevel, editor, ui);
   ASSERT_TRUE(ui.requests.open);
   EXPECT_EQ(*ui.requests.open, ui.levels[1].path);
   ui.requests = {};
-  openLevel(work, std::filesystem::path(ANAMORPH_TEST_DATA) / "scenes" / "thesis-sphere.json");
-  perform(Action::nextLevel, work, ui);
+  openLevel(editor, std::filesystem::path(ANAMORPH_TEST_DATA) / "scenes" / "thesis-sphere.json");
+  perform(Action::nextLevel, editor, ui);
   EXPECT_FALSE(ui.requests.open) << "it is not in the list";
 }
 
 TEST(Actions, CancelGoesFromTheInnermostOut) {
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   UiState ui;
-  openLevel(work, levels / "1-plane.json");
-  const Level opened = work.session.level();
+  openLevel(editor, levels / "1-plane.json");
+  const Level opened = editor.session.level();
   Level other = opened;
   other.sculpture.depthScale = 2;
-  work.session.change(other);
+  editor.session.change(other);
   ui.helpOpen = true;
-  work.preview.expanded = true;
-  work.cell = GridCell{1, 1};
-  work.point = PickedPoint{};
-  work.selection = {Part::mirror};
-  perform(Action::cancel, work, ui);
-  EXPECT_EQ(work.session.level(), opened);
+  editor.preview.expanded = true;
+  editor.cell = GridCell{1, 1};
+  editor.point = PickedPoint{};
+  editor.selection = {Part::mirror};
+  perform(Action::cancel, editor, ui);
+  EXPECT_EQ(editor.session.level(), opened);
   EXPECT_TRUE(ui.helpOpen);
-  perform(Action::cancel, work, ui);
+  perform(Action::cancel, editor, ui);
   EXPECT_FALSE(ui.helpOpen);
-  EXPECT_TRUE(work.preview.expanded);
-  perform(Action::cancel, work, ui);
-  EXPECT_FALSE(work.preview.expanded);
-  EXPECT_TRUE(work.cell && work.point);
-  perform(Action::cancel, work, ui);
-  EXPECT_FALSE(work.cell || work.point);
-  EXPECT_EQ(work.selection.part, Part::mirror);
-  perform(Action::cancel, work, ui);
-  EXPECT_EQ(work.selection.part, Part::none);
+  EXPECT_TRUE(editor.preview.expanded);
+  perform(Action::cancel, editor, ui);
+  EXPECT_FALSE(editor.preview.expanded);
+  EXPECT_TRUE(editor.cell && editor.point);
+  perform(Action::cancel, editor, ui);
+  EXPECT_FALSE(editor.cell || editor.point);
+  EXPECT_EQ(editor.selection.part, Part::mirror);
+  perform(Action::cancel, editor, ui);
+  EXPECT_EQ(editor.selection.part, Part::none);
 }
 
 TEST(Actions, UndoInADragTakesItBackWhole) {
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   UiState ui;
-  openLevel(work, levels / "1-plane.json");
-  const Level opened = work.session.level();
+  openLevel(editor, levels / "1-plane.json");
+  const Level opened = editor.session.level();
   ui.viewDrag = ViewDrag::gizmo;
   Level other = opened;
   other.sculpture.depthScale = 2;
-  work.session.change(other);
-  perform(Action::undo, work, ui);
+  editor.session.change(other);
+  perform(Action::undo, editor, ui);
   EXPECT_EQ(ui.viewDrag, ViewDrag::none);
-  EXPECT_EQ(work.session.level(), opened);
-  perform(Action::redo, work, ui);
-  EXPECT_EQ(work.session.level(), other);
+  EXPECT_EQ(editor.session.level(), opened);
+  perform(Action::redo, editor, ui);
+  EXPECT_EQ(editor.session.level(), other);
 }
 
 TEST(Keys, DoWhatTheirTableSays) {
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   UiState ui;
-  openLevel(work, levels / "1-plane.json");
-  EXPECT_TRUE(handleKey('E', 0, work, ui));
-  EXPECT_EQ(work.gizmoMode, GizmoMode::rotate);
-  EXPECT_FALSE(handleKey('W', keys::control, work, ui));
-  EXPECT_TRUE(handleKey('E', keys::control, work, ui));
+  openLevel(editor, levels / "1-plane.json");
+  EXPECT_TRUE(handleKey('E', 0, editor, ui));
+  EXPECT_EQ(editor.gizmoMode, GizmoMode::rotate);
+  EXPECT_FALSE(handleKey('W', keys::control, editor, ui));
+  EXPECT_TRUE(handleKey('E', keys::control, editor, ui));
   EXPECT_TRUE(ui.exporting.open);
-  EXPECT_FALSE(handleKey(999, 0, work, ui));
+  EXPECT_FALSE(handleKey(999, 0, editor, ui));
   ui.preferences.vrtKeys = true;
-  EXPECT_TRUE(handleKey('T', 0, work, ui));
-  EXPECT_EQ(work.gizmoMode, GizmoMode::move);
-  EXPECT_TRUE(handleKey('Q', keys::control, work, ui));
+  EXPECT_TRUE(handleKey('T', 0, editor, ui));
+  EXPECT_EQ(editor.gizmoMode, GizmoMode::move);
+  EXPECT_TRUE(handleKey('Q', keys::control, editor, ui));
   EXPECT_TRUE(ui.requests.quit);
 }
 
 TEST(Keys, LockTheAxisOfADrag) {
-  Workspace work({}, 1);
+  Editor editor({}, 1);
   UiState ui;
-  EXPECT_FALSE(handleKey('X', 0, work, ui)) << "no drag";
+  EXPECT_FALSE(handleKey('X', 0, editor, ui)) << "no drag";
   ui.viewDrag = ViewDrag::gizmo;
-  EXPECT_TRUE(handleKey('X', 0, work, ui));
+  EXPECT_TRUE(handleKey('X', 0, editor, ui));
   EXPECT_EQ(ui.axisLock, 0);
-  EXPECT_TRUE(handleKey('Z', 0, work, ui));
+  EXPECT_TRUE(handleKey('Z', 0, editor, ui));
   EXPECT_EQ(ui.axisLock, 2);
-  EXPECT_TRUE(handleKey('Z', 0, work, ui));
+  EXPECT_TRUE(handleKey('Z', 0, editor, ui));
   EXPECT_EQ(ui.axisLock, -1);
 }
 
 TEST(Keys, NumberPadIsAsGoodAsTheDigits) {
   for (const int digit : {0, 1, 3, 5, 7}) {
-    Workspace a({}, 1), b({}, 1);
+    Editor a({}, 1), b({}, 1);
     UiState ui;
     EXPECT_TRUE(handleKey('0' + digit, 0, a, ui));
     EXPECT_TRUE(handleKey(keys::pad0 + digit, 0, b, ui));

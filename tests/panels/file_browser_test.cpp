@@ -43,7 +43,7 @@ class Browser : public PanelsTest {
     frame();
   }
   void key(int code, bool repeated = false) {
-    handleKey(code, 0, work, ui, repeated);
+    handleKey(code, 0, editor, ui, repeated);
     frames(2);
   }
   std::vector<std::string> names() const {
@@ -323,7 +323,7 @@ TEST_F(Browser, TenThousandFilesAreListedOnceAndDrawnQuickly) {
   writeText(at("many/late.json"), "");
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < 60; ++i) {
-    handleKey(i % 2 == 0 ? keys::pageDown : keys::down, 0, work, ui);
+    handleKey(i % 2 == 0 ? keys::pageDown : keys::down, 0, editor, ui);
     frame();
   }
   const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
@@ -377,12 +377,12 @@ TEST_F(Browser, IsUsedByTheMouse) {
 
 TEST_F(Browser, KeysOfTheWindowRest) {
   browse(FilePurpose::openLevel);
-  const GizmoMode before = work.gizmoMode;
-  handleKey('E', 0, work, ui);
-  handleKey(keys::f2, 0, work, ui);
-  handleKey('Q', keys::control, work, ui);
+  const GizmoMode before = editor.gizmoMode;
+  handleKey('E', 0, editor, ui);
+  handleKey(keys::f2, 0, editor, ui);
+  handleKey('Q', keys::control, editor, ui);
   frames(2);
-  EXPECT_EQ(work.gizmoMode, before);
+  EXPECT_EQ(editor.gizmoMode, before);
   EXPECT_FALSE(ui.panelsHidden);
   EXPECT_FALSE(ui.requests.quit);
 }

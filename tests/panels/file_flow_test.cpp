@@ -1,4 +1,4 @@
-// The File menu, as the desk runs it: wishes, questions, deeds.
+// The File menu, as the GUI runs it: wishes, questions, deeds.
 
 #include "panels/file_flow.h"
 
@@ -24,36 +24,36 @@ class FileFlow : public PanelsTest {
   FileFlow() {
     fs::copy_file(fs::path(ANAMORPH_LEVELS) / "1-plane.json", folder_ / "mine.json");
     fs::copy_file(fs::path(ANAMORPH_LEVELS) / "3-sphere.json", folder_ / "other.json");
-    openLevel(work, folder_ / "mine.json");
-    work.studio.finish(work.session, {});
+    openLevel(editor, folder_ / "mine.json");
+    editor.updater.finish(editor.session, {});
     ui.recentFolders = {folder_ / ""};
   }
 
-  // As Desk::frame.
+  // As Gui::frame.
   void step(int count = 1) {
     for (int i = 0; i < count; ++i) {
       frame();
-      settleRequests(work, ui);
+      settleRequests(editor, ui);
       if (const auto path = std::exchange(ui.requests.open, std::nullopt)) {
         opened_ = *path;
-        openLevel(work, *path);
+        openLevel(editor, *path);
         rememberLevel(ui, *path);
       }
-      if (std::exchange(ui.requests.startNew, false)) openNewLevel(work);
+      if (std::exchange(ui.requests.startNew, false)) openNewLevel(editor);
     }
   }
   void key(int code) {
-    handleKey(code, 0, work, ui);
+    handleKey(code, 0, editor, ui);
     step(2);
   }
   void act(Action action) {
-    perform(action, work, ui);
+    perform(action, editor, ui);
     step(2);
   }
   void modify(double depthScale = 2) {
-    Level level = work.session.level();
+    Level level = editor.session.level();
     level.sculpture.depthScale = depthScale;
-    work.session.edit(level);
+    editor.session.edit(level);
     step();
   }
   double savedDepth(const std::string& name) const {
@@ -67,7 +67,7 @@ class FileFlow : public PanelsTest {
     step();
   }
   void waitForJob() {
-    for (int i = 0; i < 3000 && work.job.busy(); ++i) {
+    for (int i = 0; i < 3000 && editor.job.busy(); ++i) {
       step();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -81,16 +81,16 @@ class FileFlow : public PanelsTest {
 TEST_F(FileFlow, SavesToTheLevelsOwnFile) {
   modify();
   act(Action::save);
-  EXPECT_FALSE(work.session.modified());
+  EXPECT_FALSE(editor.session.modified());
   EXPECT_EQ(savedDepth("mine.json"), 2);
   EXPECT_FALSE(isDialogOpen(ui));
-  EXPECT_NE(work.message.find("mine.json"), std::string::npos);
+  EXPECT_NE(editor.message.find("mine.json"), std::string::npos);
   EXPECT_EQ(ui.recentLevels.front(), folder_ / "mine.json");
 }
 
 TEST_F(FileFlow, AnInstalledLevelIsNeverWritten) {
   open("2-cylinder");
-  const fs::path file = work.session.path();
+  const fs::path file = editor.session.path();
   const std::string before = readAll(file);
   modify();
   act(Action::save);
@@ -98,8 +98,8 @@ TEST_F(FileFlow, AnInstalledLevelIsNeverWritten) {
   EXPECT_EQ(ui.browser.text, "2-cylinder-copy.json");
   EXPECT_EQ(ui.browser.folder, fs::path(folder_ / "").parent_path());
   key(keys::enter);
-  EXPECT_EQ(work.session.path(), folder_ / "2-cylinder-copy.json");
-  EXPECT_FALSE(work.session.modified());
+  EXPECT_EQ(editor.session.path(), folder_ / "2-cylinder-copy.json");
+  EXPECT_FALSE(editor.session.modified());
   EXPECT_EQ(readAll(file), before);
   modify(3);
   act(Action::save);
@@ -118,7 +118,7 @@ TEST_F(FileFlow, AFileThatAnotherProgramWroteIsReplacedOnlyWhenAsked) {
   EXPECT_NE(ui.browser.problem.find("another program"), std::string::npos);
   EXPECT_EQ(loadLevel(file).level.title, theirs);
   key(keys::escape);
-  EXPECT_TRUE(work.session.modified());
+  EXPECT_TRUE(editor.session.modified());
   EXPECT_EQ(loadLevel(file).level.title, theirs);
   act(Action::save);
   key(keys::enter);  // the name that is proposed
@@ -133,14 +133,14 @@ TEST_F(FileFlow, AFileThatAnotherProgramWroteIsReplacedOnlyWhenAsked) {
 
 TEST_F(FileFlow, ANewLevelGetsAName) {
   act(Action::newLevel);
-  EXPECT_TRUE(work.session.path().empty());
-  EXPECT_FALSE(work.session.modified());
+  EXPECT_TRUE(editor.session.path().empty());
+  EXPECT_FALSE(editor.session.modified());
   act(Action::save);
   EXPECT_TRUE(ui.browser.open);
   type("fresh");
   key(keys::enter);
-  EXPECT_EQ(work.session.path(), folder_ / "fresh.json");
-  EXPECT_EQ(loadLevel(folder_ / "fresh.json").level, work.session.level());
+  EXPECT_EQ(editor.session.path(), folder_ / "fresh.json");
+  EXPECT_EQ(loadLevel(folder_ / "fresh.json").level, editor.session.level());
 }
 
 TEST_F(FileFlow, WithoutChangesNothingIsAsked) {
@@ -155,20 +155,20 @@ TEST_F(FileFlow, WithoutChangesNothingIsAsked) {
 
 TEST_F(FileFlow, EveryWayOutAsks) {
   modify();
-  const Level level = work.session.level();
+  const Level level = editor.session.level();
   const std::vector<std::function<void()>> ways{
-      [&] { ui.requests.open = folder_ / "other.json"; }, [&] { perform(Action::newLevel, work, ui); },
-      [&] { perform(Action::reload, work, ui); }, [&] { perform(Action::quit, work, ui); },
-      [&] { acceptFiles({folder_ / "other.json"}, work, ui); }};
+      [&] { ui.requests.open = folder_ / "other.json"; }, [&] { perform(Action::newLevel, editor, ui); },
+      [&] { perform(Action::reload, editor, ui); }, [&] { perform(Action::quit, editor, ui); },
+      [&] { acceptFiles({folder_ / "other.json"}, editor, ui); }};
   for (const auto& way : ways) {
     way();
     step(2);
     EXPECT_TRUE(ui.unsaved);
-    EXPECT_EQ(work.session.level(), level);
+    EXPECT_EQ(editor.session.level(), level);
     key(keys::escape);
     EXPECT_FALSE(isDialogOpen(ui));
     EXPECT_FALSE(ui.requests.quit);
-    EXPECT_EQ(work.session.level(), level) << "nothing has happened";
+    EXPECT_EQ(editor.session.level(), level) << "nothing has happened";
     EXPECT_EQ(opened_, "");
   }
 }
@@ -184,13 +184,13 @@ TEST_F(FileFlow, SavingThenGoesOn) {
 
 TEST_F(FileFlow, NotSavingGoesOnWithout) {
   modify();
-  perform(Action::quit, work, ui);
+  perform(Action::quit, editor, ui);
   step(2);
-  handleKey('D', 0, work, ui);
+  handleKey('D', 0, editor, ui);
   step();
   EXPECT_TRUE(ui.requests.quit);
   EXPECT_EQ(savedDepth("mine.json"), 1);
-  EXPECT_TRUE(work.session.modified()) << "should quitting fail after all, it is still there";
+  EXPECT_TRUE(editor.session.modified()) << "should quitting fail after all, it is still there";
 }
 
 TEST_F(FileFlow, SavingUnderANameThenGoesOn) {
@@ -216,24 +216,24 @@ TEST_F(FileFlow, NoNameIsNoStep) {
   key(keys::escape);
   EXPECT_FALSE(isDialogOpen(ui));
   EXPECT_EQ(opened_, "");
-  EXPECT_TRUE(work.session.modified());
+  EXPECT_TRUE(editor.session.modified());
 }
 
 TEST_F(FileFlow, AnInstalledLevelIsLeftWithoutAQuestionAndFoundAsItWas) {
   open("1-plane");
-  const fs::path plane = work.session.path();
-  const Level before = work.session.level();
+  const fs::path plane = editor.session.path();
+  const Level before = editor.session.level();
   modify();
-  const Level changed = work.session.level();
+  const Level changed = editor.session.level();
   ui.requests.open = folder_ / "other.json";
   step(2);
   EXPECT_FALSE(isDialogOpen(ui));
   EXPECT_EQ(opened_, folder_ / "other.json");
   ui.requests.open = plane;
   step(2);
-  EXPECT_EQ(work.session.level(), changed);
+  EXPECT_EQ(editor.session.level(), changed);
   act(Action::resetLevel);
-  EXPECT_EQ(work.session.level(), before);
+  EXPECT_EQ(editor.session.level(), before);
   modify();
   act(Action::reload);
   EXPECT_TRUE(ui.unsaved) << "reloading would lose it";
@@ -243,10 +243,10 @@ TEST_F(FileFlow, AnInstalledLevelIsLeftWithoutAQuestionAndFoundAsItWas) {
 
 TEST_F(FileFlow, ALevelIsLeftWhateverItsPathLooksLike) {
   const fs::path plane = fs::path(ANAMORPH_LEVELS) / "1-plane.json";
-  openLevel(work, fs::path(ANAMORPH_LEVELS) / ".." / fs::path(ANAMORPH_LEVELS).filename() / "1-plane.json");
-  work.studio.finish(work.session, {});
+  openLevel(editor, fs::path(ANAMORPH_LEVELS) / ".." / fs::path(ANAMORPH_LEVELS).filename() / "1-plane.json");
+  editor.updater.finish(editor.session, {});
   modify();
-  const Level changed = work.session.level();
+  const Level changed = editor.session.level();
   ui.requests.open = plane;
   step(2);
   EXPECT_TRUE(ui.unsaved) << "it is the open one";
@@ -255,17 +255,17 @@ TEST_F(FileFlow, ALevelIsLeftWhateverItsPathLooksLike) {
   step(2);
   ui.requests.open = plane;
   step(2);
-  EXPECT_EQ(work.session.level(), changed);
+  EXPECT_EQ(editor.session.level(), changed);
 }
 
 TEST_F(FileFlow, WhatIsStillOpenWasNotLeft) {
   open("1-plane");
   modify();
-  EXPECT_THROW(openLevel(work, folder_ / "none.json"), Error);
-  EXPECT_TRUE(work.leftLevels.empty());
-  openLevel(work, fs::path(ANAMORPH_LEVELS) / "1-plane.json");
-  EXPECT_FALSE(work.session.modified()) << "read anew";
-  EXPECT_TRUE(work.leftLevels.empty());
+  EXPECT_THROW(openLevel(editor, folder_ / "none.json"), Error);
+  EXPECT_TRUE(editor.leftLevels.empty());
+  openLevel(editor, fs::path(ANAMORPH_LEVELS) / "1-plane.json");
+  EXPECT_FALSE(editor.session.modified()) << "read anew";
+  EXPECT_TRUE(editor.leftLevels.empty());
 }
 
 TEST_F(FileFlow, QuittingTellsWhatWasLeft) {
@@ -273,23 +273,23 @@ TEST_F(FileFlow, QuittingTellsWhatWasLeft) {
   modify();
   ui.requests.open = folder_ / "other.json";
   step(2);
-  perform(Action::quit, work, ui);
+  perform(Action::quit, editor, ui);
   step(2);
   ASSERT_TRUE(ui.unsaved);
   key(keys::escape);
   EXPECT_FALSE(ui.requests.quit);
-  perform(Action::quit, work, ui);
+  perform(Action::quit, editor, ui);
   step(2);
-  handleKey(keys::enter, 0, work, ui);
+  handleKey(keys::enter, 0, editor, ui);
   step();
   EXPECT_TRUE(ui.requests.quit);
 }
 
 TEST_F(FileFlow, ProposesANameMadeOfTheTitle) {
   act(Action::newLevel);
-  Level level = work.session.level();
+  Level level = editor.session.level();
   level.title = " Mijn 1e zuil: (blauw)! ";
-  work.session.edit(level);
+  editor.session.edit(level);
   act(Action::saveAs);
   EXPECT_EQ(ui.browser.text, "mijn-1e-zuil-blauw.json");
 }
@@ -306,80 +306,80 @@ TEST_F(FileFlow, AFailedSaveSaysWhyAndStays) {
   key(keys::enter);
   EXPECT_FALSE(isDialogOpen(ui));
   EXPECT_EQ(opened_, "") << "it was not left";
-  EXPECT_TRUE(work.session.modified());
-  EXPECT_EQ(work.session.level().sculpture.depthScale, 2);
+  EXPECT_TRUE(editor.session.modified());
+  EXPECT_EQ(editor.session.level().sculpture.depthScale, 2);
 }
 
 TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
-  const Box box = boundingBox(work.studio.products().original.mesh->positions);
-  const Level before = work.session.level();
+  const Box box = boundingBox(editor.updater.products().original.mesh->positions);
+  const Level before = editor.session.level();
   fs::copy_file(fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj", folder_ / "cube.obj");
-  acceptFiles({folder_ / "cube.obj"}, work, ui);
+  acceptFiles({folder_ / "cube.obj"}, editor, ui);
   waitForJob();
-  EXPECT_EQ(std::get<FileShape>(work.session.level().original.shape).path, "cube.obj")
+  EXPECT_EQ(std::get<FileShape>(editor.session.level().original.shape).path, "cube.obj")
       << "relative to the level";
-  work.studio.finish(work.session, {});
-  const Box now = boundingBox(work.studio.products().original.mesh->positions);
+  editor.updater.finish(editor.session, {});
+  const Box now = boundingBox(editor.updater.products().original.mesh->positions);
   EXPECT_LT(glm::length(now.centre() - box.centre()), 1e-9);
   EXPECT_NEAR(now.size().z, 2, 1e-9);
-  EXPECT_EQ(work.studio.products().problem, std::nullopt);
-  work.session.undo();
-  EXPECT_EQ(work.session.level(), before) << "one step";
+  EXPECT_EQ(editor.updater.products().problem, std::nullopt);
+  editor.session.undo();
+  EXPECT_EQ(editor.session.level(), before) << "one step";
 }
 
 TEST_F(FileFlow, AMeshWithoutUseIsTold) {
-  const Level before = work.session.level();
+  const Level before = editor.session.level();
   writeText(folder_ / "broken.obj", "f 1 2 3\n");
-  acceptFiles({folder_ / "broken.obj"}, work, ui);
+  acceptFiles({folder_ / "broken.obj"}, editor, ui);
   waitForJob();
-  EXPECT_NE(work.message.find("broken.obj"), std::string::npos) << work.message;
-  EXPECT_EQ(work.session.level(), before);
-  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_NE(editor.message.find("broken.obj"), std::string::npos) << editor.message;
+  EXPECT_EQ(editor.session.level(), before);
+  EXPECT_FALSE(editor.session.canUndo());
 }
 
 TEST_F(FileFlow, OtherFilesAreToldWhatIsAccepted) {
-  acceptFiles({folder_ / "picture.jpeg"}, work, ui);
+  acceptFiles({folder_ / "picture.jpeg"}, editor, ui);
   ASSERT_TRUE(ui.notice);
   EXPECT_NE(ui.notice->text.find("picture.jpeg"), std::string::npos);
   EXPECT_NE(ui.notice->text.find(".stl"), std::string::npos);
   step(2);
   key(keys::escape);
   EXPECT_FALSE(isDialogOpen(ui));
-  acceptFiles({}, work, ui);
+  acceptFiles({}, editor, ui);
   EXPECT_FALSE(ui.notice);
-  acceptFiles({folder_ / "picture.jpeg", folder_ / "other.json"}, work, ui);
+  acceptFiles({folder_ / "picture.jpeg", folder_ / "other.json"}, editor, ui);
   step();
   EXPECT_EQ(opened_, folder_ / "other.json") << "the first that can be used";
 }
 
 TEST_F(FileFlow, ASceneOfTheThesisKeepsTheMeshsSize) {
-  openLevel(work, fs::path(ANAMORPH_TEST_DATA) / "scenes/thesis-sphere.json");
-  work.studio.finish(work.session, {});
-  const Level before = work.session.level();
-  importOriginal(work, fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj");
+  openLevel(editor, fs::path(ANAMORPH_TEST_DATA) / "scenes/thesis-sphere.json");
+  editor.updater.finish(editor.session, {});
+  const Level before = editor.session.level();
+  importOriginal(editor, fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj");
   waitForJob();
-  EXPECT_EQ(work.session.level().original.placement, before.original.placement);
+  EXPECT_EQ(editor.session.level().original.placement, before.original.placement);
 }
 
 TEST_F(FileFlow, LevelsAreCopiedAndPasted) {
   modify(3);
-  const Level copied = work.session.level();
+  const Level copied = editor.session.level();
   act(Action::copyLevel);
-  work.session.undo();
+  editor.session.undo();
   act(Action::pasteLevel);
-  EXPECT_EQ(work.session.level(), copied);
-  work.session.undo();
-  EXPECT_FALSE(work.session.modified()) << "one step";
+  EXPECT_EQ(editor.session.level(), copied);
+  editor.session.undo();
+  EXPECT_FALSE(editor.session.modified()) << "one step";
 }
 
 TEST_F(FileFlow, ATextThatIsNoLevelIsTold) {
-  const Level before = work.session.level();
+  const Level before = editor.session.level();
   ImGui::SetClipboardText("{\"format\": \"anamorph-level\", \"version\": 1, \"camera\": 3}");
   act(Action::pasteLevel);
   ASSERT_TRUE(ui.notice);
   EXPECT_NE(ui.notice->text.find("clipboard"), std::string::npos);
-  EXPECT_EQ(work.session.level(), before);
-  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_EQ(editor.session.level(), before);
+  EXPECT_FALSE(editor.session.canUndo());
 }
 
 TEST_F(FileFlow, RecentLevelsAreThoseOfOnesOwnNewestFirst) {

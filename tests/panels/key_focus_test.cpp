@@ -24,10 +24,10 @@ class KeyFocus : public PanelsTest {
     frames(3);
   }
 
-  // As Desk::key and the window's back end.
+  // As Gui::key and the window's back end.
   void key(int code, int modifiers = 0) {
     ImGui::GetIO().KeysDown[code] = true;
-    if (!ImGui::GetIO().WantTextInput) handleKey(code, modifiers, work, ui);
+    if (!ImGui::GetIO().WantTextInput) handleKey(code, modifiers, editor, ui);
     frames(2);
     ImGui::GetIO().KeysDown[code] = false;
     frames(2);
@@ -55,11 +55,11 @@ TEST_F(KeyFocus, GoesAroundAllPanels) {
   EXPECT_TRUE(GImGui->NavDisableHighlight) << "and no control is marked any more";
   key(keys::f6, keys::shift);
   EXPECT_EQ(ui.keyPanel, "preview");
-  perform(Action::help, work, ui);
+  perform(Action::help, editor, ui);
   frames(2);
   key(keys::f6);
   EXPECT_EQ(ui.keyPanel, "###help");
-  perform(Action::help, work, ui);
+  perform(Action::help, editor, ui);
   frames(2);
   EXPECT_EQ(ui.keyPanel, "") << "it was closed";
 }
@@ -78,22 +78,22 @@ TEST_F(KeyFocus, RestsWhileADialogAsks) {
 
 TEST_F(KeyFocus, ShortcutsSleepUntilEsc) {
   key(keys::f6);
-  const GizmoMode before = work.gizmoMode;
+  const GizmoMode before = editor.gizmoMode;
   ASSERT_NE(before, GizmoMode::rotate);
   key('E');
-  EXPECT_EQ(work.gizmoMode, before);
-  EXPECT_TRUE(handleKey('Z', keys::control, work, ui)) << "those with Ctrl go on";
+  EXPECT_EQ(editor.gizmoMode, before);
+  EXPECT_TRUE(handleKey('Z', keys::control, editor, ui)) << "those with Ctrl go on";
   key(keys::escape);
   EXPECT_EQ(ui.keyPanel, "");
   key('E');
-  EXPECT_EQ(work.gizmoMode, GizmoMode::rotate);
+  EXPECT_EQ(editor.gizmoMode, GizmoMode::rotate);
   key(keys::f6);
   click(ui.layout.view.x + 40, ui.layout.view.y + 60);
   EXPECT_EQ(ui.keyPanel, "") << "a click is the mouse's";
 }
 
 TEST_F(KeyFocus, EveryNumberOfAPropertyCanBeTyped) {
-  const Level before = work.session.level();
+  const Level before = editor.session.level();
   for (int i = 0; i < 3; ++i) key(keys::f6);
   ASSERT_EQ(ui.keyPanel, "properties");
   int changed = 0;
@@ -103,29 +103,29 @@ TEST_F(KeyFocus, EveryNumberOfAPropertyCanBeTyped) {
     if (!ImGui::GetIO().WantTextInput) continue;  // no number
     type("7.5");
     key(keys::enter);
-    if (work.session.canUndo()) {
+    if (editor.session.canUndo()) {
       ++changed;
       EXPECT_EQ(steps(), 1) << "a typed number is one step";
-      work.session.undo();
+      editor.session.undo();
       frames(2);
     }
   }
   EXPECT_GE(changed, 3);
-  EXPECT_EQ(work.session.level(), before);
+  EXPECT_EQ(editor.session.level(), before);
 }
 
 TEST_F(KeyFocus, AButtonIsPressedBySpace) {
   key(keys::f6);
   key(keys::f6);
   ASSERT_EQ(ui.keyPanel, "lesson");
-  const std::size_t step = work.lesson.step;
-  for (int i = 0; i < 12 && work.lesson.step == step; ++i) {
+  const std::size_t step = editor.lesson.step;
+  for (int i = 0; i < 12 && editor.lesson.step == step; ++i) {
     for (const int way : {keys::down, keys::right}) {
       key(way);
-      if (work.lesson.step == step) key(keys::space);
+      if (editor.lesson.step == step) key(keys::space);
     }
   }
-  EXPECT_NE(work.lesson.step, step) << "Skip was reached";
+  EXPECT_NE(editor.lesson.step, step) << "Skip was reached";
 }
 
 }  // namespace

@@ -266,30 +266,30 @@ TEST_F(DrawnText, OfTheLevelsIsTranslated) {
 TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   open("2-cylinder");
   ui.languages = {{"en", "English"}, {"nl", "Nederlands"}};
-  work.rays.source = RaySource::vertices;
-  work.rays.animate = true;
-  work.rays.lightRays = true;
-  work.preview.expanded = false;
-  Level own = work.session.level();
+  editor.rays.source = RaySource::vertices;
+  editor.rays.animate = true;
+  editor.rays.lightRays = true;
+  editor.preview.expanded = false;
+  Level own = editor.session.level();
   own.title = own.description = "«its author's words»";  // which are edited as they are
-  work.session.edit(std::move(own));
+  editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
-    openTab(work, ui, static_cast<PropertyTab>(tab));
-    if (tab == static_cast<int>(PropertyTab::sculpture)) work.point = PickedPoint{};
+    openTab(editor, ui, static_cast<PropertyTab>(tab));
+    if (tab == static_cast<int>(PropertyTab::sculpture)) editor.point = PickedPoint{};
     look("tab " + std::to_string(tab));
   }
   EXPECT_TRUE(hasSeen("Depth scale k"));
   EXPECT_TRUE(hasSeen("Description"));
   EXPECT_TRUE(hasSeen("Shininess")) << "what is folded is drawn, too";
-  work.selection = {Part::light, 0};
+  editor.selection = {Part::light, 0};
   look("a light");
   EXPECT_TRUE(hasSeen("Intensity"));
   for (std::size_t kind = 0; kind < 3; ++kind) {
-    Level level = work.session.level();
+    Level level = editor.session.level();
     level.optic.shape = mirrorOfKind(kind, level.optic.shape, level.camera.eye);
-    work.session.edit(std::move(level));
-    work.studio.finish(work.session, {});
-    openTab(work, ui, PropertyTab::mirror);
+    editor.session.edit(std::move(level));
+    editor.updater.finish(editor.session, {});
+    openTab(editor, ui, PropertyTab::mirror);
     look("mirror " + std::to_string(kind));
   }
 }
@@ -297,7 +297,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
 TEST_F(DrawnText, OfProblemsIsTranslated) {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
     open(name);
-    const Level before = work.session.level();
+    const Level before = editor.session.level();
     Level level = before;
     level.camera.eye = std::visit(
         [](const auto& mirror) {
@@ -306,22 +306,22 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
           if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
         },
         level.optic.shape);
-    work.session.edit(level);
-    work.studio.finish(work.session, {});
-    openTab(work, ui, PropertyTab::eye);
+    editor.session.edit(level);
+    editor.updater.finish(editor.session, {});
+    openTab(editor, ui, PropertyTab::eye);
     look(std::string(name) + ", the eye in the mirror");
     EXPECT_TRUE(hasSeen("There is no sculpture"));
     level = before;
     level.original.placement.position += Vector(0, 0, 40);
-    work.session.edit(level);
-    work.studio.finish(work.session, {});
-    openTab(work, ui, PropertyTab::original);
+    editor.session.edit(level);
+    editor.updater.finish(editor.session, {});
+    openTab(editor, ui, PropertyTab::original);
     look(std::string(name) + ", the original far away");
     level = before;
     level.original.placement.scale *= 2.5;
-    work.session.edit(level);
-    work.studio.finish(work.session, {});
-    openTab(work, ui, PropertyTab::sculpture);
+    editor.session.edit(level);
+    editor.updater.finish(editor.session, {});
+    openTab(editor, ui, PropertyTab::sculpture);
     look(std::string(name) + ", the original too large");
   }
 }

@@ -18,13 +18,13 @@ class LessonPanelTest : public PanelsTest {
   void openLesson() {
     open("1-plane");
     frame();
-    work.lesson.lesson = parseLesson(R"({"id": "t", "badge": {"title": "B", "text": "C"}, "steps": [
+    editor.lesson.lesson = parseLesson(R"({"id": "t", "badge": {"title": "B", "text": "C"}, "steps": [
       {"id": "a", "title": "A", "why": "W", "do": "D", "notice": "N", "figure": "construction"},
       {"id": "b", "title": "B", "why": "W", "do": "D", "done": [{"when": "depthScaleChanged"}],
        "show": {"tab": "sculpture", "widget": "Depth scale k", "play": {"depthScale": 0.5}}},
       {"id": "c", "title": "C", "why": "W", "do": "D", "optional": true, "done": [{"when": "undone"}]}]})",
-                                     "t");
-    openStep(work, 0);
+                                       "t");
+    openStep(editor, 0);
     frames(3);
   }
   // The lower right button of the lesson: on to the next step.
@@ -37,104 +37,104 @@ class LessonPanelTest : public PanelsTest {
 TEST_F(LessonPanelTest, NextReadsAndSkips) {
   openLesson();
   clickOn();
-  EXPECT_EQ(work.lesson.step, 1u);
-  EXPECT_EQ(work.progress["t"].count("a"), 1u);
+  EXPECT_EQ(editor.lesson.step, 1u);
+  EXPECT_EQ(editor.progress["t"].count("a"), 1u);
   clickOn();
-  EXPECT_EQ(work.lesson.step, 2u);
-  EXPECT_EQ(work.progress["t"].count("b"), 0u);
+  EXPECT_EQ(editor.lesson.step, 2u);
+  EXPECT_EQ(editor.progress["t"].count("b"), 0u);
 }
 
 TEST_F(LessonPanelTest, ShowMeOpensTheTabPointsAndMoves) {
   openLesson();
-  openStep(work, 1);
+  openStep(editor, 1);
   frames(2);
   const int before = pointedCount();
-  handleKey('M', 0, work, ui);
+  handleKey('M', 0, editor, ui);
   frames(3);
   EXPECT_EQ(ui.tab, PropertyTab::sculpture);
   EXPECT_GT(pointedCount(), before);
-  for (int i = 0; i < 100 && work.lesson.play; ++i) frame(0.05);
-  EXPECT_EQ(work.session.level().sculpture.depthScale, 0.5);
+  for (int i = 0; i < 100 && editor.lesson.play; ++i) frame(0.05);
+  EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   frames(2);
-  EXPECT_TRUE(work.lesson.done);
+  EXPECT_TRUE(editor.lesson.done);
   for (int i = 0; i < 100; ++i) frame(0.1);
   EXPECT_TRUE(ui.highlight.empty()) << "it stops pointing after a while";
 }
 
 TEST_F(LessonPanelTest, WhatShowMeDidIsOneStepBack) {
   openLesson();
-  openStep(work, 1);
-  const Level before = work.session.level();
-  handleKey('M', 0, work, ui);
-  for (int i = 0; i < 200 && (i < 3 || work.lesson.play); ++i) frame(0.02);
-  ASSERT_EQ(work.session.level().sculpture.depthScale, 0.5);
+  openStep(editor, 1);
+  const Level before = editor.session.level();
+  handleKey('M', 0, editor, ui);
+  for (int i = 0; i < 200 && (i < 3 || editor.lesson.play); ++i) frame(0.02);
+  ASSERT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   EXPECT_EQ(steps(), 1);
-  perform(Action::undo, work, ui);
-  EXPECT_EQ(work.session.level(), before);
+  perform(Action::undo, editor, ui);
+  EXPECT_EQ(editor.session.level(), before);
 }
 
 TEST_F(LessonPanelTest, WhatIsPointedAtIsOfTheOpenStepOnly) {
   openLesson();
-  openStep(work, 1);
+  openStep(editor, 1);
   frames(2);
-  handleKey('M', 0, work, ui);
+  handleKey('M', 0, editor, ui);
   frames(3);
   EXPECT_EQ(ui.highlight, "Depth scale k");
-  handleKey(keys::right, keys::alt, work, ui);
+  handleKey(keys::right, keys::alt, editor, ui);
   frames(2);
   EXPECT_EQ(ui.highlight, "");
 }
 
 TEST_F(LessonPanelTest, KeysStepAndThePresenterTakesArrows) {
   openLesson();
-  handleKey(keys::right, 0, work, ui);
-  EXPECT_EQ(work.lesson.step, 0u) << "not presenting";
-  handleKey(keys::right, keys::alt, work, ui);
-  EXPECT_EQ(work.lesson.step, 1u);
-  handleKey(keys::f3, 0, work, ui);
+  handleKey(keys::right, 0, editor, ui);
+  EXPECT_EQ(editor.lesson.step, 0u) << "not presenting";
+  handleKey(keys::right, keys::alt, editor, ui);
+  EXPECT_EQ(editor.lesson.step, 1u);
+  handleKey(keys::f3, 0, editor, ui);
   frames(3);
   EXPECT_TRUE(ui.presenting && ui.panelsHidden);
-  handleKey(keys::right, 0, work, ui);
-  EXPECT_EQ(work.lesson.step, 2u);
-  handleKey(keys::left, 0, work, ui);
-  EXPECT_EQ(work.lesson.step, 1u);
+  handleKey(keys::right, 0, editor, ui);
+  EXPECT_EQ(editor.lesson.step, 2u);
+  handleKey(keys::left, 0, editor, ui);
+  EXPECT_EQ(editor.lesson.step, 1u);
   frames(3);
-  handleKey(keys::f3, 0, work, ui);
+  handleKey(keys::f3, 0, editor, ui);
   EXPECT_FALSE(ui.presenting || ui.panelsHidden);
 }
 
 TEST_F(LessonPanelTest, TheTourTakesTwentySecondsAndCanBeSkipped) {
   openLesson();
-  perform(Action::tour, work, ui);
+  perform(Action::tour, editor, ui);
   double seconds = 0;
   for (; ui.tourCard >= 0 && seconds < 100; seconds += 0.1) frame(0.1);
   EXPECT_NEAR(seconds, 20, 1.5);
   EXPECT_TRUE(ui.preferences.tourSeen);
-  perform(Action::tour, work, ui);
+  perform(Action::tour, editor, ui);
   frames(2);
-  handleKey(keys::escape, 0, work, ui);
+  handleKey(keys::escape, 0, editor, ui);
   EXPECT_EQ(ui.tourCard, -1);
 }
 
 TEST_F(LessonPanelTest, TheTourLeavesOutWhatASmallWindowHasNot) {
   openLesson();
   ImGui::GetIO().DisplaySize = {320, 200};
-  perform(Action::tour, work, ui);
+  perform(Action::tour, editor, ui);
   for (int i = 0; i < 200 && ui.tourCard >= 0; ++i) frame(0.1);
   EXPECT_EQ(ui.tourCard, -1);
 }
 
 TEST_F(LessonPanelTest, ProgressIsForgottenOnlyWhenAskedTwice) {
   openLesson();
-  nextStep(work);
-  perform(Action::progress, work, ui);
+  nextStep(editor);
+  perform(Action::progress, editor, ui);
   frames(3);
   EXPECT_TRUE(ui.progressOpen);
-  EXPECT_FALSE(work.progress.empty());
+  EXPECT_FALSE(editor.progress.empty());
   ui.resetAsked = true;
   frames(3);
-  EXPECT_FALSE(work.progress.empty());
-  handleKey(keys::escape, 0, work, ui);
+  EXPECT_FALSE(editor.progress.empty());
+  handleKey(keys::escape, 0, editor, ui);
   frames(2);
   EXPECT_FALSE(ui.progressOpen || ui.resetAsked);
 }
@@ -143,21 +143,21 @@ TEST_F(LessonPanelTest, EveryInstalledStepIsDrawnAtEveryScaleAndPointsAtAControl
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
     open(entry.name);
     frame();
-    for (std::size_t i = 0; i < work.lesson.lesson.steps.size(); ++i) {
+    for (std::size_t i = 0; i < editor.lesson.lesson.steps.size(); ++i) {
       SCOPED_TRACE(entry.name + " step " + std::to_string(i + 1));
-      openStep(work, i);
+      openStep(editor, i);
       for (const double scale : {0.75, 1.0, 2.0}) {
         setLook(Theme::projector, scale);
         frames(2);
       }
       setLook(Theme::dark, 1);
-      const StepShow show = work.lesson.open().show;
+      const StepShow show = editor.lesson.open().show;
       if (show.widget.empty()) continue;
       const int before = pointedCount();
-      showStep(work, ui);
+      showStep(editor, ui);
       frames(3);
       EXPECT_GT(pointedCount(), before) << show.widget;
-      finishPlay(work);
+      finishPlay(editor);
       frames(2);
     }
   }

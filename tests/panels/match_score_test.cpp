@@ -29,7 +29,7 @@ TEST(MatchScore, OfAProblemIsNothingAndSaysWhy) {
   Products products = measured(1);
   products.problem = "the eye is inside the sphere.";
   const MatchScore score = matchScore(products);
-  EXPECT_EQ(score.share, 0);
+  EXPECT_EQ(score.fraction, 0);
   EXPECT_EQ(score.percent, "0 %");
   EXPECT_EQ(score.word, "none");
   EXPECT_EQ(score.tone, MatchScore::Tone::bad);

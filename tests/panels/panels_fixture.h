@@ -41,17 +41,17 @@ class PanelsTest : public ::testing::Test {
   }
 
   void open(const std::string& name) {
-    openLevel(work, std::filesystem::path(ANAMORPH_LEVELS) / (name + ".json"));
-    work.studio.finish(work.session, {});
+    openLevel(editor, std::filesystem::path(ANAMORPH_LEVELS) / (name + ".json"));
+    editor.updater.finish(editor.session, {});
   }
 
-  // As Desk::frame, without OpenGL.
+  // As Gui::frame, without OpenGL.
   void frame(double seconds = 1.0 / 60) {
     ImGui::GetIO().DeltaTime = static_cast<float>(seconds);
     ImGui::NewFrame();
-    drawPanels(work, ui);
-    advance(work, seconds);
-    drawViewOverlay(work, ui);
+    drawPanels(editor, ui);
+    advance(editor, seconds);
+    drawViewOverlay(editor, ui);
     ImGui::Render();
     checkVertices();
   }
@@ -81,7 +81,7 @@ class PanelsTest : public ::testing::Test {
   std::optional<ImVec2> dragRow(const std::function<bool(const Level& before, const Level& now)>& wanted,
                                 float distance = 20) {
     const Rect& rect = ui.layout.properties;
-    const Level before = work.session.level();
+    const Level before = editor.session.level();
     for (float y = rect.y + 70; y < rect.y + rect.height; y += 5) {
       const ImVec2 at{rect.x + 0.46f * rect.width, y};
       moveMouse(at.x, at.y);
@@ -90,11 +90,11 @@ class PanelsTest : public ::testing::Test {
       frame();
       moveMouse(at.x + distance, at.y);
       frame();
-      if (wanted(before, work.session.level())) return at;
+      if (wanted(before, editor.session.level())) return at;
       moveMouse(-1, -1);  // away from what reacts to being let go
       frame();
       letGo();
-      while (work.session.canUndo()) work.session.undo();
+      while (editor.session.canUndo()) editor.session.undo();
       frame();
     }
     return std::nullopt;
@@ -102,7 +102,7 @@ class PanelsTest : public ::testing::Test {
 
   // Where a handle of the gizmo can be taken, in the window.
   std::optional<ImVec2> gripOf(GizmoHandle handle) const {
-    const anamorph::Gizmo gizmo = currentGizmo(work, ui).gizmo;
+    const anamorph::Gizmo gizmo = currentGizmo(editor, ui).gizmo;
     for (const GizmoShape& shape : gizmo.shapes) {
       if (shape.handle != handle || shape.points.empty()) continue;
       Pixel middle(0);
@@ -117,12 +117,12 @@ class PanelsTest : public ::testing::Test {
   // Steps to undo, counted by undoing and redoing.
   int steps() {
     int count = 0;
-    for (; work.session.canUndo(); ++count) work.session.undo();
-    for (int i = 0; i < count; ++i) work.session.redo();
+    for (; editor.session.canUndo(); ++count) editor.session.undo();
+    for (int i = 0; i < count; ++i) editor.session.redo();
     return count;
   }
 
-  Workspace work{{}, 2};
+  Editor editor{{}, 2};
   UiState ui;
 
  private:

@@ -26,53 +26,55 @@ std::vector<Selection> selectionsOf(const Level& level) {
 }
 
 // The eye in the middle of the mirror.
-void moveEyeIntoMirror(Workspace& work) {
-  Level level = work.session.level();
+void moveEyeIntoMirror(Editor& editor) {
+  Level level = editor.session.level();
   level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
-  work.session.edit(level);
+  editor.session.edit(level);
 }
 
 struct State {
   const char* name;
-  void (*enter)(Workspace&, UiState&);
+  void (*enter)(Editor&, UiState&);
 };
 
 constexpr State states[] = {
-    {"as opened", [](Workspace&, UiState&) {}},
-    {"panels hidden", [](Workspace&, UiState& ui) { ui.panelsHidden = true; }},
-    {"help", [](Workspace&, UiState& ui) { ui.helpOpen = true; }},
-    {"render dialog", [](Workspace&, UiState& ui) { ui.render.open = true; }},
+    {"as opened", [](Editor&, UiState&) {}},
+    {"panels hidden", [](Editor&, UiState& ui) { ui.panelsHidden = true; }},
+    {"help", [](Editor&, UiState& ui) { ui.helpOpen = true; }},
+    {"render dialog", [](Editor&, UiState& ui) { ui.render.open = true; }},
     {"render dialog, running",
-     [](Workspace&, UiState& ui) {
+     [](Editor&, UiState& ui) {
        ui.render.open = ui.render.running = true;
-       ui.render.share = 0.3;
+       ui.render.fraction = 0.3;
      }},
-    {"preview expanded", [](Workspace& work, UiState&) { work.preview.expanded = true; }},
-    {"wipe", [](Workspace& work, UiState&) { work.preview.tab = PreviewTab::wipe; }},
+    {"preview expanded", [](Editor& editor, UiState&) { editor.preview.expanded = true; }},
+    {"wipe", [](Editor& editor, UiState&) { editor.preview.tab = PreviewTab::wipe; }},
     {"picked point",
-     [](Workspace& work, UiState&) { work.point = pickedVertex(*work.studio.products().original.mesh, 17); }},
+     [](Editor& editor, UiState&) {
+       editor.point = pickedVertex(*editor.updater.products().original.mesh, 17);
+     }},
     {"picked cell",
-     [](Workspace& work, UiState&) {
-       work.cell = GridCell{3, 4};
-       work.rays.source = RaySource::pixels;
-       work.rays.lightRays = true;
-       work.rays.hideNoHit = false;
+     [](Editor& editor, UiState&) {
+       editor.cell = GridCell{3, 4};
+       editor.rays.source = RaySource::pixels;
+       editor.rays.lightRays = true;
+       editor.rays.hideNoHit = false;
      }},
     {"looking through",
-     [](Workspace& work, UiState&) {
-       toggleLookThrough(work);
-       advance(work, 1);
+     [](Editor& editor, UiState&) {
+       toggleLookThrough(editor);
+       advance(editor, 1);
      }},
-    {"eye inside the mirror", [](Workspace& work, UiState&) { moveEyeIntoMirror(work); }},
+    {"eye inside the mirror", [](Editor& editor, UiState&) { moveEyeIntoMirror(editor); }},
     {"original shown by a file that is gone",
-     [](Workspace& work, UiState&) {
-       Level level = work.session.level();
+     [](Editor& editor, UiState&) {
+       Level level = editor.session.level();
        level.original.shape = FileShape{"nowhere.obj"};
-       work.session.edit(level);
+       editor.session.edit(level);
      }},
-    {"rotating", [](Workspace& work, UiState&) { work.gizmoMode = GizmoMode::rotate; }},
-    {"scaling", [](Workspace& work, UiState&) { work.gizmoMode = GizmoMode::scale; }},
-    {"long message", [](Workspace& work, UiState&) { work.message = std::string(3000, 'w'); }},
+    {"rotating", [](Editor& editor, UiState&) { editor.gizmoMode = GizmoMode::rotate; }},
+    {"scaling", [](Editor& editor, UiState&) { editor.gizmoMode = GizmoMode::scale; }},
+    {"long message", [](Editor& editor, UiState&) { editor.message = std::string(3000, 'w'); }},
 };
 
 class EveryLevel : public PanelsTest, public ::testing::WithParamInterface<std::string> {};
@@ -82,36 +84,36 @@ TEST_P(EveryLevel, EveryTabOfEverySelectionInEveryStateIsDrawn) {
     SCOPED_TRACE(state.name);
     ui = UiState{};
     ui.levels = listLevels(ANAMORPH_LEVELS);
-    work.display = {};
-    work.rays = {};
-    work.preview = {};
-    work.gizmoMode = GizmoMode::move;
+    editor.display = {};
+    editor.rays = {};
+    editor.preview = {};
+    editor.gizmoMode = GizmoMode::move;
     open(GetParam());
-    state.enter(work, ui);
-    for (const Selection& selection : selectionsOf(work.session.level())) {
-      work.selection = selection;
+    state.enter(editor, ui);
+    for (const Selection& selection : selectionsOf(editor.session.level())) {
+      editor.selection = selection;
       frame();
       for (const PropertyTab tab : allTabs) {
         SCOPED_TRACE("part " + std::to_string(int(selection.part)) + ", tab " + std::to_string(int(tab)));
         ui.tab = tab;
         ASSERT_NO_THROW(frames(2));
         EXPECT_EQ(ui.tab, tab);
-        EXPECT_EQ(work.selection, selection);
+        EXPECT_EQ(editor.selection, selection);
       }
     }
-    EXPECT_FALSE(work.session.changing());
+    EXPECT_FALSE(editor.session.changing());
   }
 }
 
 TEST_P(EveryLevel, DrawingChangesNothing) {
   open(GetParam());
-  const Level before = work.session.level();
+  const Level before = editor.session.level();
   for (const PropertyTab tab : allTabs) {
     ui.tab = tab;
     frames(4);
   }
-  EXPECT_EQ(work.session.level(), before);
-  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_EQ(editor.session.level(), before);
+  EXPECT_FALSE(editor.session.canUndo());
 }
 
 TEST_P(EveryLevel, FitsIntoEveryWindow) {
@@ -125,13 +127,13 @@ TEST_P(EveryLevel, FitsIntoEveryWindow) {
                        std::to_string(scale));
           ImGui::GetIO().DisplaySize = size;
           setLook(theme, scale);
-          work.preview.expanded = expanded;
+          editor.preview.expanded = expanded;
           for (const PropertyTab tab : allTabs) {
             ui.tab = tab;
             ASSERT_NO_THROW(frame());
           }
-          EXPECT_GE(work.viewWidth, 1);
-          EXPECT_GE(work.viewHeight, 1);
+          EXPECT_GE(editor.viewWidth, 1);
+          EXPECT_GE(editor.viewHeight, 1);
         }
       }
     }
@@ -149,9 +151,9 @@ class NumberRow : public PanelsTest {
  protected:
   void SetUp() override {
     open("3-sphere");
-    work.selection = {Part::eye};
+    editor.selection = {Part::eye};
     frames(3);
-    opened = work.session.level();
+    opened = editor.session.level();
   }
 
   Level opened;
@@ -163,62 +165,62 @@ TEST_F(NumberRow, DraggedByTheMouseIsOneStep) {
   for (int i = 0; i < 10; ++i) {
     moveMouse(at->x + 20 + 3 * static_cast<float>(i), at->y);
     frame();
-    EXPECT_TRUE(work.session.changing());
+    EXPECT_TRUE(editor.session.changing());
   }
-  EXPECT_GT(work.session.level().camera.eye.x, opened.camera.eye.x);
-  Level rest = work.session.level();
+  EXPECT_GT(editor.session.level().camera.eye.x, opened.camera.eye.x);
+  Level rest = editor.session.level();
   rest.camera.eye = opened.camera.eye;
   EXPECT_EQ(rest, opened) << "nothing but the eye";
-  EXPECT_EQ(work.session.level().camera.eye.y, opened.camera.eye.y);
+  EXPECT_EQ(editor.session.level().camera.eye.y, opened.camera.eye.y);
   letGo();
-  EXPECT_FALSE(work.session.changing());
+  EXPECT_FALSE(editor.session.changing());
   EXPECT_EQ(steps(), 1);
-  work.session.undo();
-  EXPECT_EQ(work.session.level(), opened);
+  editor.session.undo();
+  EXPECT_EQ(editor.session.level(), opened);
 }
 
 TEST_F(NumberRow, EscRestoresAndEndsTheDrag) {
   const auto at = dragRow(eyeMovedInX);
   ASSERT_TRUE(at);
-  EXPECT_TRUE(handleKey(keys::escape, 0, work, ui));
-  EXPECT_EQ(work.session.level(), opened);
+  EXPECT_TRUE(handleKey(keys::escape, 0, editor, ui));
+  EXPECT_EQ(editor.session.level(), opened);
   frame();
-  EXPECT_EQ(work.session.level(), opened);
+  EXPECT_EQ(editor.session.level(), opened);
   for (int i = 1; i < 5; ++i) {
     moveMouse(at->x + 20 + 10 * static_cast<float>(i), at->y);
     frame();
-    EXPECT_EQ(work.session.level(), opened) << "the button is still down, but the drag is over";
+    EXPECT_EQ(editor.session.level(), opened) << "the button is still down, but the drag is over";
   }
   letGo();
-  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_FALSE(editor.session.canUndo());
   EXPECT_TRUE(dragRow(eyeMovedInX)) << "it can be dragged again";
 }
 
 TEST_F(NumberRow, UndoWhileItIsDraggedEndsTheDrag) {
   const auto at = dragRow(eyeMovedInX);
   ASSERT_TRUE(at);
-  EXPECT_TRUE(handleKey('Z', keys::control, work, ui));
+  EXPECT_TRUE(handleKey('Z', keys::control, editor, ui));
   moveMouse(at->x + 60, at->y);
   frames(3);
-  EXPECT_EQ(work.session.level(), opened);
+  EXPECT_EQ(editor.session.level(), opened);
   letGo();
-  EXPECT_FALSE(work.session.canUndo());
+  EXPECT_FALSE(editor.session.canUndo());
 }
 
 TEST_F(NumberRow, CheckBoxIsOneStep) {
-  work.selection = {Part::sculpture};
+  editor.selection = {Part::sculpture};
   frames(3);
   const Rect& rect = ui.layout.properties;
   // From below, so that headings that fold leave what is above them in its place.
   for (float y = rect.y + rect.height - 4; y > rect.y + 70; y -= 5) {
     click(rect.x + 20, y);
-    if (work.session.level().sculpture.tolerancePixels != opened.sculpture.tolerancePixels) break;
-    ASSERT_EQ(work.session.level(), opened);
+    if (editor.session.level().sculpture.tolerancePixels != opened.sculpture.tolerancePixels) break;
+    ASSERT_EQ(editor.session.level(), opened);
   }
-  EXPECT_EQ(work.session.level().sculpture.tolerancePixels, 0);
+  EXPECT_EQ(editor.session.level().sculpture.tolerancePixels, 0);
   EXPECT_EQ(steps(), 1);
-  work.session.undo();
-  EXPECT_EQ(work.session.level(), opened);
+  editor.session.undo();
+  EXPECT_EQ(editor.session.level(), opened);
 }
 
 class TypedNumber : public NumberRow {
@@ -234,10 +236,10 @@ class TypedNumber : public NumberRow {
     const auto at = dragRow(eyeMovedInX);
     ASSERT_TRUE(at);
     letGo();
-    work.session.undo();
-    Level level = work.session.level();
+    editor.session.undo();
+    Level level = editor.session.level();
     level.camera.eye.x = startX;
-    work.session.edit(level);
+    editor.session.edit(level);
     opened = level;
     at_ = *at;
   }
@@ -282,7 +284,7 @@ class TypedNumber : public NumberRow {
   }
 
   double x() const {
-    return work.session.level().camera.eye.x;
+    return editor.session.level().camera.eye.x;
   }
 
   static constexpr double startX = 0.123456;  // more digits than are shown
@@ -322,25 +324,25 @@ TEST_F(TypedNumber, StaysFiniteAndInItsRange) {
     EXPECT_TRUE(std::isfinite(x())) << x();
     EXPECT_LE(std::abs(x()), 1e6);
   }
-  while (work.session.canUndo()) work.session.undo();
+  while (editor.session.canUndo()) editor.session.undo();
   EXPECT_NE(x(), startX);
 }
 
 // A slider jumps to where it is clicked; a second click at once types.
 TEST_F(NumberRow, ADoubleClickTypesIntoASlider) {
-  openTab(work, ui, PropertyTab::eye);
+  openTab(editor, ui, PropertyTab::eye);
   frames(2);
   const Rect& rect = ui.layout.properties;
   bool typed = false;
   for (float y = rect.y + 70; y < rect.y + rect.height && !typed; y += 5) {
     moveMouse(rect.x + 0.6f * rect.width, y);
     frames(30);  // not the second click of the last place
-    const double fov = work.session.level().camera.fovDegrees;
+    const double fov = editor.session.level().camera.fovDegrees;
     for (const bool down : {true, false, true, false}) {
       press(down);
       frame(0.02);
     }
-    const bool slider = work.session.level().camera.fovDegrees != fov;
+    const bool slider = editor.session.level().camera.fovDegrees != fov;
     if (slider) {
       EXPECT_TRUE(ImGui::GetIO().WantTextInput || ImGui::GetActiveID() != 0);
       typed = ImGui::GetActiveID() == ImGui::GetCurrentContext()->TempInputId && ImGui::GetActiveID() != 0;
@@ -357,7 +359,7 @@ TEST_F(TypedNumber, IsAStepOfItsOwnBeforeADragOfTheGizmo) {
   beginTyping();
   type("1.5");
   ASSERT_EQ(x(), 1.5);
-  const Level typed = work.session.level();
+  const Level typed = editor.session.level();
   const auto grip = gripOf(GizmoHandle::x);  // of the eye
   ASSERT_TRUE(grip);
   moveMouse(grip->x, grip->y);
@@ -367,9 +369,9 @@ TEST_F(TypedNumber, IsAStepOfItsOwnBeforeADragOfTheGizmo) {
   moveMouse(grip->x + 30, grip->y);
   frame();
   ASSERT_EQ(ui.viewDrag, ViewDrag::gizmo);
-  EXPECT_NE(work.session.level(), typed);
-  handleKey(keys::escape, 0, work, ui);
-  EXPECT_EQ(work.session.level(), typed) << "Esc takes back the drag, not the number";
+  EXPECT_NE(editor.session.level(), typed);
+  handleKey(keys::escape, 0, editor, ui);
+  EXPECT_EQ(editor.session.level(), typed) << "Esc takes back the drag, not the number";
   letGo();
   EXPECT_EQ(steps(), before + 1);
 }
@@ -378,7 +380,7 @@ class Menus : public PanelsTest {};
 
 TEST_F(Menus, EscClosesThemAndKeepsTheSelection) {
   open("1-plane");
-  work.selection = {Part::mirror};
+  editor.selection = {Part::mirror};
   frames(3);
   const auto isOpen = [] {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -386,22 +388,22 @@ TEST_F(Menus, EscClosesThemAndKeepsTheSelection) {
   for (int time = 0; time < 2; ++time) {
     click(ui.layout.menu.x + 30, ui.layout.menu.y + ui.layout.menu.height / 2);
     ASSERT_TRUE(isOpen());
-    EXPECT_TRUE(handleKey(keys::escape, 0, work, ui));
+    EXPECT_TRUE(handleKey(keys::escape, 0, editor, ui));
     frames(2);
     EXPECT_FALSE(isOpen());
-    EXPECT_EQ(work.selection.part, Part::mirror);
+    EXPECT_EQ(editor.selection.part, Part::mirror);
   }
-  handleKey(keys::escape, 0, work, ui);
-  EXPECT_EQ(work.selection.part, Part::none);
+  handleKey(keys::escape, 0, editor, ui);
+  EXPECT_EQ(editor.selection.part, Part::none);
 }
 
 class GizmoInTheView : public PanelsTest {};
 
 TEST_F(GizmoInTheView, DragIsOneStepAndEscTakesItBack) {
   open("2-cylinder");
-  const Level opened = work.session.level();
+  const Level opened = editor.session.level();
   for (const bool keep : {true, false}) {
-    work.selection = {Part::original};
+    editor.selection = {Part::original};
     frames(3);
     const auto grip = gripOf(GizmoHandle::x);
     ASSERT_TRUE(grip);
@@ -413,14 +415,14 @@ TEST_F(GizmoInTheView, DragIsOneStepAndEscTakesItBack) {
       moveMouse(grip->x + 5 * static_cast<float>(i), grip->y);
       frame();
     }
-    EXPECT_NE(work.session.level().original.placement.position, opened.original.placement.position);
-    if (!keep) handleKey(keys::escape, 0, work, ui);
+    EXPECT_NE(editor.session.level().original.placement.position, opened.original.placement.position);
+    if (!keep) handleKey(keys::escape, 0, editor, ui);
     moveMouse(grip->x + 50, grip->y);
     frame();
     letGo();
     EXPECT_EQ(steps(), keep ? 1 : 0);
-    work.session.undo();
-    EXPECT_EQ(work.session.level(), opened);
+    editor.session.undo();
+    EXPECT_EQ(editor.session.level(), opened);
   }
 }
 

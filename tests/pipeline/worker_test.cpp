@@ -119,7 +119,7 @@ TEST(Worker, ReportsItsShare) {
     progress.update(0.5);
     while (!release) std::this_thread::sleep_for(100us);
   });
-  EXPECT_TRUE(waitUntil([&] { return worker.share() == 0.5; }));
+  EXPECT_TRUE(waitUntil([&] { return worker.fraction() == 0.5; }));
   release = true;
 }
 
@@ -134,7 +134,7 @@ TEST(Worker, ManyThreadsMayAsk) {
           worker.request([&](const Progress& progress) { done += progress.update(1); });
           if (i % 3 == 0) worker.cancel();
           worker.busy();
-          worker.share();
+          worker.fraction();
           worker.takeFailure();
         }
       });

@@ -64,8 +64,8 @@ TEST(CompareBitmaps, CountsPixelsOverTheThreshold) {
   const BitmapDifference difference = compare(a, b, 3);
   EXPECT_NEAR(difference.meanAbsolute, 7.0 / 12, 1e-15);
   EXPECT_EQ(difference.maxAbsolute, 4);
-  EXPECT_EQ(difference.shareOver, 0.25);
-  EXPECT_EQ(compare(a, a, 0).shareOver, 0);
+  EXPECT_EQ(difference.fractionOver, 0.25);
+  EXPECT_EQ(compare(a, a, 0).fractionOver, 0);
   EXPECT_EQ(compare(Bitmap{}, Bitmap{}, 0).meanAbsolute, 0);
 }
 

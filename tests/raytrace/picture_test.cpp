@@ -12,7 +12,7 @@ namespace anamorph::test {
 namespace {
 
 SceneInput sphereScene() {
-  SceneInput input = makeStudio();
+  SceneInput input = makeUpdater();
   input.optic = makeMirror(SphereMirror{{0, 0, 2}, 2});
   input.surfaces.push_back(
       makeSurface("plate", makeFloor(1, 5.5), Material{{0.1, 0.4, 0.8}, 0.3, 0.7, 0.2, 30}));
@@ -29,7 +29,7 @@ void expectPicture(const std::string& name, const SceneInput& input) {
 
   const Bitmap expected = loadPng(path);
   const BitmapDifference difference = compare(picture, expected, 6);
-  if (difference.meanAbsolute < 0.25 && difference.shareOver < 0.002) return;
+  if (difference.meanAbsolute < 0.25 && difference.fractionOver < 0.002) return;
   Bitmap shown = picture;
   for (std::size_t i = 0; i < shown.bytes.size(); ++i) {
     shown.bytes[i] = static_cast<std::uint8_t>(std::abs(int{picture.bytes[i]} - int{expected.bytes[i]}));
@@ -38,12 +38,12 @@ void expectPicture(const std::string& name, const SceneInput& input) {
   savePng(folder / (name + "-out.png"), picture);
   savePng(folder / (name + "-diff.png"), shown);
   ADD_FAILURE() << path << " differs by " << difference.meanAbsolute << " on average, "
-                << 100 * difference.shareOver << " % of pixels by more than 6; see "
+                << 100 * difference.fractionOver << " % of pixels by more than 6; see "
                 << folder / (name + "-out.png") << " and " << folder / (name + "-diff.png");
 }
 
 TEST(Picture, CylinderInTheStudio) {
-  expectPicture("studio-cylinder", makeStudio());
+  expectPicture("studio-cylinder", makeUpdater());
 }
 
 TEST(Picture, SphereInTheStudio) {

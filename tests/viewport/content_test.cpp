@@ -157,7 +157,7 @@ TEST_F(Content, OriginalIsSolidGhostOrHidden) {
   input.display.originalLook = OriginalLook::ghost;
   const Bitmap ghost = pictureOf(input);
   EXPECT_GT(solid, hidden + 1000);
-  EXPECT_GT(compare(ghost, pictureOf(bareInput()), 10).shareOver, 0.05);
+  EXPECT_GT(compare(ghost, pictureOf(bareInput()), 10).fractionOver, 0.05);
   EXPECT_NE(at(ghost, 80, 60), at(pictureOf(bareInput()), 80, 60));
 }
 
@@ -166,7 +166,7 @@ TEST_F(Content, GhostShinesThroughTheMirror) {
   const Bitmap without = pictureOf(input);
   input.display.originalLook = OriginalLook::ghost;
   const BitmapDifference difference = compare(pictureOf(input), without, 4);
-  EXPECT_GT(difference.shareOver, 0.005);
+  EXPECT_GT(difference.fractionOver, 0.005);
 }
 
 TEST_F(Content, OriginalIsInTheMirrorOnRequest) {
@@ -181,7 +181,7 @@ TEST_F(Content, OriginalIsInTheMirrorOnRequest) {
   input.display.originalLook = OriginalLook::ghost;
   const Bitmap without = pictureOf(input);
   input.display.originalInMirror = true;
-  EXPECT_GT(compare(pictureOf(input), without, 20).shareOver, 0.001);
+  EXPECT_GT(compare(pictureOf(input), without, 20).fractionOver, 0.001);
 }
 
 TEST_F(Content, ScreenShowsItsImage) {
@@ -318,7 +318,7 @@ TEST_F(Content, WiresAreDark) {
     return sum;
   };
   EXPECT_LT(brightness(wires), brightness(plain));
-  EXPECT_GT(compare(wires, plain, 10).shareOver, 0.02);
+  EXPECT_GT(compare(wires, plain, 10).fractionOver, 0.02);
 }
 
 }  // namespace

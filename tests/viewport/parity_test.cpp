@@ -10,8 +10,8 @@ namespace {
 class Parity : public GlTest, public testing::WithParamInterface<const char*> {};
 
 struct Difference {
-  double meanAbsolute = 0;  // of all channels, 0..255
-  double shareOver16 = 0;   // of pixels
+  double meanAbsolute = 0;    // of all channels, 0..255
+  double fractionOver16 = 0;  // of pixels
   int pixels = 0;
 };
 
@@ -39,7 +39,7 @@ Difference differenceOf(const Bitmap& view, const Bitmap& traced, const Pick& pi
   }
   if (d.pixels > 0) {
     d.meanAbsolute = sum / (3.0 * d.pixels);
-    d.shareOver16 = static_cast<double>(over) / d.pixels;
+    d.fractionOver16 = static_cast<double>(over) / d.pixels;
   }
   return d;
 }
@@ -71,10 +71,10 @@ TEST_P(Parity, MirrorShowsWhatTheTracerShows) {
   const Difference mirror = differenceOf(view, traced, seesMirror(finished, size, size));
   EXPECT_GT(mirror.pixels, 5000);
   EXPECT_LE(mirror.meanAbsolute, 0.1);
-  EXPECT_LE(mirror.shareOver16, 0.0005);
+  EXPECT_LE(mirror.fractionOver16, 0.0005);
   const Difference all = differenceOf(view, traced, [](int, int) { return true; });
   EXPECT_LE(all.meanAbsolute, 0.1);
-  EXPECT_LE(all.shareOver16, 0.0005);
+  EXPECT_LE(all.fractionOver16, 0.0005);
 }
 
 // Seen from elsewhere, against a camera at that place.
@@ -90,7 +90,7 @@ TEST_P(Parity, HoldsFromTheStartOfTheView) {
   const Difference all =
       differenceOf(pictureOf(input), tracedPicture(finished, width, height), [](int, int) { return true; });
   EXPECT_LE(all.meanAbsolute, 0.1);
-  EXPECT_LE(all.shareOver16, 0.001);
+  EXPECT_LE(all.fractionOver16, 0.001);
 }
 
 TEST_P(Parity, HoldsFarFromTheOrigin) {
@@ -118,7 +118,7 @@ TEST_P(Parity, HoldsFarFromTheOrigin) {
   const Difference all =
       differenceOf(view, tracedPicture(finished, size, size), [](int, int) { return true; });
   EXPECT_LE(all.meanAbsolute, 0.6);
-  EXPECT_LE(all.shareOver16, 0.01);
+  EXPECT_LE(all.fractionOver16, 0.01);
 }
 
 // Many samples are the tracer's many samples, though at other places in the pixel.
@@ -131,7 +131,7 @@ TEST_P(Parity, ManySamplesGiveTheTracersSmoothPicture) {
   const Bitmap view = pictureOf(tracerInput(finished, size, size), 32);
   const Difference all = differenceOf(view, traced, [](int, int) { return true; });
   EXPECT_LE(all.meanAbsolute, 0.7);
-  EXPECT_LE(all.shareOver16, 0.003);
+  EXPECT_LE(all.fractionOver16, 0.003);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Parity, testing::Values("1-plane", "2-cylinder", "3-sphere"));

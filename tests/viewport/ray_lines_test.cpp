@@ -142,9 +142,9 @@ TEST(TreeLines, HideWhatTheSettingsHide) {
       const double whole = std::max({tree.color.x, tree.color.y, tree.color.z});
       for (const RaySegment& s : tree.segments) {
         const bool toLight = s.kind == RayKind::light || s.kind == RayKind::shadow;
-        const double share = std::max({s.contribution.x, s.contribution.y, s.contribution.z}) / whole;
+        const double fraction = std::max({s.contribution.x, s.contribution.y, s.contribution.z}) / whole;
         wanted += (settings.lightRays || !toLight) && !(settings.hideNoHit && s.kind == RayKind::noHit) &&
-                  !(settings.hideNegligible && share < settings.negligible);
+                  !(settings.hideNegligible && fraction < settings.negligible);
       }
     }
     EXPECT_EQ(makeTreeLines(trees, settings, std::nullopt, 0).size(), wanted);
@@ -154,13 +154,13 @@ TEST(TreeLines, HideWhatTheSettingsHide) {
 TEST(TreeLines, ContributionDecidesWidthStrengthAndColour) {
   RayTree tree;
   tree.color = {0.5, 1, 0.25};
-  for (const double share : {1.0, 0.5, 0.0}) {
+  for (const double fraction : {1.0, 0.5, 0.0}) {
     RaySegment segment;
-    segment.kind = share == 1 ? RayKind::camera : RayKind::reflected;
+    segment.kind = fraction == 1 ? RayKind::camera : RayKind::reflected;
     segment.parent = static_cast<int>(tree.segments.size()) - 1;
-    segment.from = Point(share);
+    segment.from = Point(fraction);
     segment.to = segment.from + Vector(1, 0, 0);
-    segment.contribution = share * tree.color;
+    segment.contribution = fraction * tree.color;
     tree.segments.push_back(segment);
   }
   RaySettings settings;

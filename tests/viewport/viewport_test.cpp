@@ -58,8 +58,8 @@ TEST_F(View, SamplesSmoothEdges) {
   const ViewportInput input = startInput(cylinder());
   const Bitmap one = pictureOf(input, 1), many = pictureOf(input, 24);
   const BitmapDifference difference = compare(one, many, 24);
-  EXPECT_GT(difference.shareOver, 0.002);
-  EXPECT_LT(difference.shareOver, 0.1);
+  EXPECT_GT(difference.fractionOver, 0.002);
+  EXPECT_LT(difference.fractionOver, 0.1);
 }
 
 TEST_F(View, ScaleMakesAPictureOfAnotherSize) {

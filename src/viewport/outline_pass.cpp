@@ -1,4 +1,4 @@
-#include "viewport/outline_view.h"
+#include "viewport/outline_pass.h"
 
 #include <algorithm>
 #include <optional>
@@ -30,13 +30,13 @@ std::optional<GpuSurface> selectedMesh(const Selection& selection) {
 }
 
 /// Of the selected thing, in scene coordinates.
-Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places) {
-  if (const auto mesh = selectedMesh(input.selection)) return places[static_cast<int>(*mesh)].box;
+Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots) {
+  if (const auto mesh = selectedMesh(input.selection)) return slots[static_cast<int>(*mesh)].box;
   if (input.selection.part == Part::mirror) {
     return boundingBox(tessellate(input.level.optic.shape).positions);
   }
   const Point middle = input.level.lights[input.selection.index].position;
-  const Vector radius(scene.studio.z);
+  const Vector radius(scene.sceneSize.z);
   return {middle - radius, middle + radius};
 }
 
@@ -58,7 +58,7 @@ PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin,
     const glm::vec2 across(glm::dot(v, glm::vec3(scene.right)), glm::dot(v, glm::vec3(scene.up)));
     const glm::vec2 pixel = across / (scene.lens.x * depth) + 0.5f * size;
     const bool known = glm::all(glm::lessThan(glm::abs(pixel), glm::vec2(1e7f)));  // and a number
-    if (!known || !(parallel || depth > 1e-3f * scene.studio.x)) {
+    if (!known || !(parallel || depth > 1e-3f * scene.sceneSize.x)) {
       return {0, 0, static_cast<int>(size.x), static_cast<int>(size.y)};
     }
     low = glm::min(low, pixel);
@@ -75,7 +75,7 @@ PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin,
 
 }  // namespace
 
-OutlineView::OutlineView()
+OutlinePass::OutlinePass()
     : mesh_("mesh.vert.glsl", "mask.frag.glsl"),
       traced_("full_screen.vert.glsl", "traced_mask.frag.glsl"),
       plain_("full_screen.vert.glsl", "plain_mask.frag.glsl"),
@@ -85,7 +85,7 @@ OutlineView::OutlineView()
   outline_.set("mask", maskUnit);
 }
 
-bool OutlineView::wanted(const ViewportInput& input, const Visible& visible) {
+bool OutlinePass::wanted(const ViewportInput& input, const Visible& visible) {
   const Selection& selection = input.selection;
   if (const auto mesh = selectedMesh(selection)) return visible.surface(*mesh);
   if (selection.part == Part::mirror) return visible.mirror;
@@ -93,8 +93,8 @@ bool OutlineView::wanted(const ViewportInput& input, const Visible& visible) {
          selection.index < std::min<int>(static_cast<int>(input.level.lights.size()), gpuLightLimit);
 }
 
-void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-                       const Point& origin, const SurfacePlaces& places, double pixelScale) {
+void OutlinePass::draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
+                       const Point& origin, const SurfaceSlots& slots, double pixelScale) {
   if (mask_.width() != target.width() || mask_.height() != target.height()) {
     mask_ = Framebuffer();
     mask_ = Framebuffer(target.width(), target.height(), {TexelFormat::r8}, false, true);
@@ -104,11 +104,11 @@ void OutlineView::draw(const Framebuffer& target, const ViewportInput& input, co
   const GLfloat nothing[] = {0, 0, 0, 0};
   glClearBufferfv(GL_COLOR, 0, nothing);
   const double width = outlineWidth * pixelScale;
-  const PixelRect rect = seenRect(selectedBox(input, scene, places), scene, origin, width + 2);
+  const PixelRect rect = seenRect(selectedBox(input, scene, slots), scene, origin, width + 2);
   glEnable(GL_SCISSOR_TEST);
   glScissor(rect.x, rect.y, rect.width, rect.height);
   if (const auto mesh = selectedMesh(input.selection)) {
-    const int i = static_cast<int>(*mesh), triangles = places[i].triangles;
+    const int i = static_cast<int>(*mesh), triangles = slots[i].triangles;
     const bool traced = triangles > 0 && fasterTraced(triangles, mask_);
     ShaderProgram& program = traced ? traced_ : mesh_;
     program.use();

@@ -1,4 +1,4 @@
-#include "app/desk.h"
+#include "app/gui.h"
 
 #include <string>
 
@@ -17,18 +17,18 @@
 namespace anamorph::testing {
 namespace {
 
-class OpenDesk : public DeskTest {
+class OpenGui : public GuiTest {
  protected:
   void SetUp() override {
-    DeskTest::SetUp();
+    GuiTest::SetUp();
     if (!headless) return;
     headless->resize(900, 560);
-    desk().open(levelPath("1-plane"));
+    gui().open(levelPath("1-plane"));
     frames(3);
   }
 
   std::optional<Pixel> gripOf(GizmoHandle handle) {
-    const Gizmo gizmo = currentGizmo(work(), ui()).gizmo;
+    const Gizmo gizmo = currentGizmo(editor(), ui()).gizmo;
     for (const GizmoShape& shape : gizmo.shapes) {
       if (shape.handle != handle || shape.points.empty()) continue;
       Pixel middle(0);
@@ -43,8 +43,8 @@ class OpenDesk : public DeskTest {
   void beginDrag() {
     headless->resize(1280, 800);
     frames(3);
-    while (!work().studio.products().complete) frames(1);
-    work().selection = {Part::original};
+    while (!editor().updater.products().complete) frames(1);
+    editor().selection = {Part::original};
     frames(3);
     const auto grip = gripOf(GizmoHandle::x);
     ASSERT_TRUE(grip);
@@ -56,127 +56,127 @@ class OpenDesk : public DeskTest {
     moveTo(grip_ + Pixel(20, 0));
     frames(2);
     ASSERT_EQ(ui().viewDrag, ViewDrag::gizmo);
-    ASSERT_TRUE(work().session.changing());
+    ASSERT_TRUE(editor().session.changing());
   }
 
   Pixel grip_{0};
 };
 
-TEST_F(OpenDesk, AnotherLevelEndsTheDrag) {
+TEST_F(OpenGui, AnotherLevelEndsTheDrag) {
   beginDrag();
-  desk().key(keys::pageDown, 0);
+  gui().key(keys::pageDown, 0);
   frames(1);
   moveTo(grip_ + Pixel(40, 0));
   frames(3);
-  const Level& level = work().session.level();
-  EXPECT_EQ(work().session.path().filename(), "2-cylinder.json");
+  const Level& level = editor().session.level();
+  EXPECT_EQ(editor().session.path().filename(), "2-cylinder.json");
   EXPECT_EQ(level, loadLevel(levelPath("2-cylinder")).level) << "the drag is over";
   headless->pressMouse(0, false);
   frames(2);
-  EXPECT_FALSE(work().session.canUndo());
+  EXPECT_FALSE(editor().session.canUndo());
 }
 
-TEST_F(OpenDesk, ReloadingEndsTheDrag) {
+TEST_F(OpenGui, ReloadingEndsTheDrag) {
   beginDrag();
-  desk().key(keys::f5, 0);
+  gui().key(keys::f5, 0);
   frames(1);
   moveTo(grip_ + Pixel(40, 0));
   frames(3);
-  EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
-  EXPECT_FALSE(work().session.modified());
+  EXPECT_EQ(editor().session.level(), loadLevel(levelPath("1-plane")).level);
+  EXPECT_FALSE(editor().session.modified());
 }
 
-TEST_F(OpenDesk, ALevelThatCannotBeOpenedLeavesTheOldOne) {
+TEST_F(OpenGui, ALevelThatCannotBeOpenedLeavesTheOldOne) {
   const TemporaryFolder folder;
   writeText(folder / "broken.json", "{");
-  desk().open(folder / "broken.json");
+  gui().open(folder / "broken.json");
   frames(2);
-  EXPECT_EQ(work().session.level(), loadLevel(levelPath("1-plane")).level);
+  EXPECT_EQ(editor().session.level(), loadLevel(levelPath("1-plane")).level);
   ASSERT_TRUE(ui().notice);
   EXPECT_NE(ui().notice->text.find("broken.json"), std::string::npos);
-  desk().open(folder / "gone.json");
+  gui().open(folder / "gone.json");
   EXPECT_NE(ui().notice->text.find("gone.json"), std::string::npos);
   frames(2);
-  desk().key(keys::enter, 0);
+  gui().key(keys::enter, 0);
   frames(2);
   EXPECT_FALSE(ui().notice);
 }
 
-TEST_F(OpenDesk, AMeshThatIsDroppedIsTheOriginal) {
-  while (!work().studio.products().complete) frames(1);
-  desk().drop({std::filesystem::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj"});
-  EXPECT_TRUE(desk().unfinished());
-  for (int i = 0; i < 2000 && work().job.busy(); ++i) frames(1);
-  ASSERT_TRUE(std::holds_alternative<FileShape>(work().session.level().original.shape));
-  while (!work().studio.products().complete) frames(1);
-  EXPECT_EQ(work().studio.products().problem, std::nullopt);
-  EXPECT_GT(work().studio.products().match->report.silhouetteIou, 0.95);
-  desk().key('Z', keys::control);
-  EXPECT_FALSE(work().session.modified());
+TEST_F(OpenGui, AMeshThatIsDroppedIsTheOriginal) {
+  while (!editor().updater.products().complete) frames(1);
+  gui().drop({std::filesystem::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj"});
+  EXPECT_TRUE(gui().unfinished());
+  for (int i = 0; i < 2000 && editor().job.busy(); ++i) frames(1);
+  ASSERT_TRUE(std::holds_alternative<FileShape>(editor().session.level().original.shape));
+  while (!editor().updater.products().complete) frames(1);
+  EXPECT_EQ(editor().updater.products().problem, std::nullopt);
+  EXPECT_GT(editor().updater.products().match->report.silhouetteIou, 0.95);
+  gui().key('Z', keys::control);
+  EXPECT_FALSE(editor().session.modified());
 }
 
-TEST_F(OpenDesk, ALevelThatIsDroppedWaitsForTheQuestion) {
+TEST_F(OpenGui, ALevelThatIsDroppedWaitsForTheQuestion) {
   const TemporaryFolder folder;
   const std::string own = folder / "own.json";  // an installed one is left without a question
-  Level level = work().session.level();
-  work().session.saveTo(own);
+  Level level = editor().session.level();
+  editor().session.saveTo(own);
   level.sculpture.depthScale = 2;
-  work().session.edit(level);
-  desk().drop({levelPath("3-sphere")});
+  editor().session.edit(level);
+  gui().drop({levelPath("3-sphere")});
   frames(2);
-  EXPECT_EQ(work().session.path(), own);
+  EXPECT_EQ(editor().session.path(), own);
   ASSERT_TRUE(ui().unsaved);
-  desk().key('D', 0);
+  gui().key('D', 0);
   frames(2);
-  EXPECT_EQ(work().session.path(), levelPath("3-sphere"));
+  EXPECT_EQ(editor().session.path(), levelPath("3-sphere"));
 }
 
-TEST_F(OpenDesk, TheEyeIsLiftedWithoutStopping) {
-  while (!work().studio.products().complete) frames(1);
-  Level level = work().session.level();
+TEST_F(OpenGui, TheEyeIsLiftedWithoutStopping) {
+  while (!editor().updater.products().complete) frames(1);
+  Level level = editor().session.level();
   level.camera.eye.z = 1;
-  work().session.edit(level);
+  editor().session.edit(level);
   frames(1);
-  while (!work().studio.products().complete) frames(1);
-  ASSERT_GT(work().studio.products().match->report.hiddenShare, 0);
-  startLift(work());
+  while (!editor().updater.products().complete) frames(1);
+  ASSERT_GT(editor().updater.products().match->report.hiddenShare, 0);
+  startLift(editor());
   int drawn = 0;
-  for (; drawn < 5000 && work().job.busy(); ++drawn) frames(1);
+  for (; drawn < 5000 && editor().job.busy(); ++drawn) frames(1);
   EXPECT_GT(drawn, 3) << "frames go on meanwhile";
-  EXPECT_GT(work().session.level().camera.eye.z, 1) << work().message;
+  EXPECT_GT(editor().session.level().camera.eye.z, 1) << editor().message;
   frames(1);
-  while (!work().studio.products().complete) frames(1);
-  EXPECT_EQ(work().studio.products().match->report.hiddenShare, 0);
+  while (!editor().updater.products().complete) frames(1);
+  EXPECT_EQ(editor().updater.products().match->report.hiddenShare, 0);
 }
 
-TEST_F(DeskTest, WithoutAnyLevelTheErrorIsTheCallers) {
-  EXPECT_THROW(desk().open("/nowhere/at/all.json"), Error);
+TEST_F(GuiTest, WithoutAnyLevelTheErrorIsTheCallers) {
+  EXPECT_THROW(gui().open("/nowhere/at/all.json"), Error);
 }
 
-TEST_F(OpenDesk, RestsWhenAllIsDone) {
+TEST_F(OpenGui, RestsWhenAllIsDone) {
   headless->settle();
-  EXPECT_FALSE(desk().unfinished());
+  EXPECT_FALSE(gui().unfinished());
   for (int i = 0; i < 5; ++i) {
     const ViewQuality best = QualityGovernor::best();
     headless->frame(1.0 / 60, &best);
-    EXPECT_FALSE(desk().unfinished());
+    EXPECT_FALSE(gui().unfinished());
   }
-  EXPECT_TRUE(work().studio.products().complete);
+  EXPECT_TRUE(editor().updater.products().complete);
 }
 
-TEST_F(OpenDesk, TheMouseInTheViewChangesNoPictureByBeingThere) {
+TEST_F(OpenGui, TheMouseInTheViewChangesNoPictureByBeingThere) {
   headless->settle();
   headless->moveMouse(400, 300);
   const ViewQuality best = QualityGovernor::best();
   for (int i = 0; i < 4; ++i) headless->frame(1.0 / 60, &best);
-  EXPECT_FALSE(desk().unfinished()) << "hovering is no reason to draw the 3D view again";
+  EXPECT_FALSE(gui().unfinished()) << "hovering is no reason to draw the 3D view again";
 }
 
-TEST_F(OpenDesk, StateLineIsJson) {
-  while (!work().studio.products().complete) frames(1);
-  work().cell = GridCell{3, 5};
+TEST_F(OpenGui, StateLineIsJson) {
+  while (!editor().updater.products().complete) frames(1);
+  editor().cell = GridCell{3, 5};
   frames(1);
-  const JsonValue state = parseJson(stateLine(desk(), 7), "state");
+  const JsonValue state = parseJson(stateLine(gui(), 7), "state");
   const auto member = [&](const std::string& key) -> const JsonValue& {
     const auto at = std::find(state.keys.begin(), state.keys.end(), key);
     if (at == state.keys.end()) throw Error("no member " + key);

@@ -8,9 +8,9 @@
 
 namespace anamorph {
 
-class OutlineView {
+class OutlinePass {
  public:
-  OutlineView();
+  OutlinePass();
 
   /// Whether there is anything to outline.
   static bool wanted(const ViewportInput& input, const Visible& visible);
@@ -18,7 +18,7 @@ class OutlineView {
   /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), `scene` is
   /// written, its places relative to `origin`. `pixelScale`: pixels for one of the outline's width.
   void draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-            const Point& origin, const SurfacePlaces& places, double pixelScale);
+            const Point& origin, const SurfaceSlots& slots, double pixelScale);
 
  private:
   ShaderProgram mesh_, traced_, plain_, outline_;

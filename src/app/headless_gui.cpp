@@ -1,4 +1,4 @@
-#include "app/headless_desk.h"
+#include "app/headless_gui.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -55,57 +55,57 @@ HeadlessContext::HeadlessContext() : parts_(std::make_unique<Parts>()) {
 
 HeadlessContext::~HeadlessContext() = default;
 
-HeadlessDesk::HeadlessDesk(int width, int height, Preferences preferences, int threads) {
+HeadlessGui::HeadlessGui(int width, int height, Preferences preferences, int threads) {
   if (preferences.language.empty()) preferences.language = "en";  // the same picture on every machine
-  desk_ = std::make_unique<Desk>(preferences, nullptr, threads);
-  desk_->ui().headless = true;
+  gui_ = std::make_unique<Gui>(preferences, nullptr, threads);
+  gui_->ui().headless = true;
   resize(width, height);
   moveMouse(-FLT_MAX, -FLT_MAX);
 }
 
-HeadlessDesk::~HeadlessDesk() = default;
+HeadlessGui::~HeadlessGui() = default;
 
-void HeadlessDesk::resize(int width, int height) {
+void HeadlessGui::resize(int width, int height) {
   framebuffer_ = Framebuffer(std::max(1, width), std::max(1, height), {TexelFormat::rgba8});
 }
 
-void HeadlessDesk::frame(double seconds, const ViewQuality* forced) {
+void HeadlessGui::frame(double seconds, const ViewQuality* forced) {
   ImGui::GetIO().DisplaySize = {static_cast<float>(width()), static_cast<float>(height())};
   framebuffer_.bind();
-  desk_->frame(seconds, forced);
+  gui_->frame(seconds, forced);
   ImGui::GetIO().MouseWheel = 0;
 }
 
-void HeadlessDesk::settle() {
+void HeadlessGui::settle() {
   const ViewQuality best = QualityGovernor::best();
   constexpr int layoutFrames = 4;  // Dear ImGui lays out in two, the view follows its size in one more
   for (int calm = 0; calm < layoutFrames;) {
     // Until the level is computed, nobody sees the pictures on the way.
     const ViewQuality draft{0.1, 1, 1};
-    const Studio& studio = desk_->work().studio;
-    const bool computed = studio.products().complete && !studio.busy() && !isMoving(desk_->work());
+    const LiveUpdater& updater = gui_->editor().updater;
+    const bool computed = updater.products().complete && !updater.busy() && !isMoving(gui_->editor());
     frame(1.0 / 60, computed ? &best : &draft);
-    const bool done = computed && !desk_->unfinished();
+    const bool done = computed && !gui_->unfinished();
     calm = done ? calm + 1 : 0;
     if (!computed) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
 
-void HeadlessDesk::moveMouse(float x, float y) {
+void HeadlessGui::moveMouse(float x, float y) {
   ImGui::GetIO().MousePos = {x, y};
 }
-void HeadlessDesk::pressMouse(int button, bool down) {
+void HeadlessGui::pressMouse(int button, bool down) {
   ImGui::GetIO().MouseDown[button] = down;
 }
-void HeadlessDesk::turnWheel(float steps) {
+void HeadlessGui::turnWheel(float steps) {
   ImGui::GetIO().MouseWheel = steps;
 }
-void HeadlessDesk::holdModifiers(int modifiers) {
+void HeadlessGui::holdModifiers(int modifiers) {
   ImGui::GetIO().KeyCtrl = (modifiers & keys::control) != 0;
   ImGui::GetIO().KeyShift = (modifiers & keys::shift) != 0;
 }
 
-Bitmap HeadlessDesk::readBack() const {
+Bitmap HeadlessGui::readBack() const {
   return anamorph::readBack(framebuffer_);
 }
 

@@ -1,10 +1,10 @@
-// A desk without a window: an offscreen context, a framebuffer of the size that a window would have, and a
+// A GUI without a window: an offscreen context, a framebuffer of the size that a window would have, and a
 // mouse that is moved by the program. For screenshots, the benchmark and tests.
 #pragma once
 
 #include <memory>
 
-#include "app/desk.h"
+#include "app/gui.h"
 #include "gl/framebuffer.h"
 
 namespace anamorph {
@@ -23,12 +23,12 @@ class HeadlessContext {
   std::unique_ptr<Parts> parts_;
 };
 
-class HeadlessDesk {
+class HeadlessGui {
  public:
-  HeadlessDesk(int width, int height, Preferences preferences, int threads = 0);
-  ~HeadlessDesk();
+  HeadlessGui(int width, int height, Preferences preferences, int threads = 0);
+  ~HeadlessGui();
 
-  Desk& desk() { return *desk_; }
+  Gui& gui() { return *gui_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
   void resize(int width, int height);
@@ -44,11 +44,11 @@ class HeadlessDesk {
   /// With Ctrl or Shift held for the mouse: keys::control, keys::shift.
   void holdModifiers(int modifiers);
 
-  /// What the window would show: RGBA, first row at the top, alpha 255 unless the desk is transparent.
+  /// What the window would show: RGBA, first row at the top, alpha 255 unless the GUI is transparent.
   Bitmap readBack() const;
 
  private:
-  std::unique_ptr<Desk> desk_;
+  std::unique_ptr<Gui> gui_;
   Framebuffer framebuffer_;
 };
 

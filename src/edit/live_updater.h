@@ -1,6 +1,6 @@
 // Keeps what is shown of the session's level up to date. While something moves, the sculpture, a coarse
 // preview and the rays follow in the frame (pipeline/live.h); when it rests, the worker refines, matches and
-// takes the pictures (pipeline/settle.h), and hands over what it has step by step. No call here waits for the
+// takes the pictures (pipeline/evaluator.h), and hands over what it has step by step. No call here waits for the
 // worker.
 //
 //   session.level() --changed?--> live step, in the frame ----------------------> products()
@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "edit/session.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/live.h"
 #include "pipeline/memo.h"
-#include "pipeline/settle.h"
 #include "pipeline/worker.h"
 #include "raytrace/tracer.h"
 
@@ -41,7 +41,7 @@ struct Products {
   std::shared_ptr<const std::vector<RayTree>> trees;  ///< of every cell, row by row; null unless asked for
 };
 
-struct StudioOptions {
+struct UpdateOptions {
   int previewSize = 256;  ///< longer side in pixels; 0: the pixel grid's own resolution
   bool trees = false;     ///< whether the ray trees of the pixel grid are wanted
   bool original =
@@ -54,19 +54,19 @@ struct LiveTimes {
   double total() const { return original + sculpture + preview + match + rays; }
 };
 
-class Studio {
+class LiveUpdater {
  public:
   /// `wake` is called from the worker's thread when there is something new to take. `threads` <= 0: all.
-  explicit Studio(std::function<void()> wake = {}, int threads = 0);
+  explicit LiveUpdater(std::function<void()> wake = {}, int threads = 0);
 
   /// One frame. Returns whether the products changed.
-  bool update(const Session& session, const StudioOptions& options);
+  bool update(const Session& session, const UpdateOptions& options);
   const Products& products() const { return products_; }
 
   /// Whether the worker works, or will when the level has rested for a moment.
   bool busy() const;
   /// How far the worker is, 0..1.
-  double share() const { return worker_.share(); }
+  double fraction() const { return worker_.fraction(); }
   /// Seconds until update() has something to start though nothing has happened; nothing when it has not.
   std::optional<double> secondsUntilDue() const;
   /// Stops the worker; what is missing stays missing until the level changes.
@@ -75,7 +75,7 @@ class Studio {
   void restart();
 
   /// update() until all is complete or has failed, for screenshots and tests.
-  void finish(const Session& session, const StudioOptions& options);
+  void finish(const Session& session, const UpdateOptions& options);
 
   const LiveTimes& liveTimes() const { return liveTimes_; }
 
@@ -90,12 +90,12 @@ class Studio {
   void openLevel(const Session& session);
   bool takeResults(const Session& session);
   void adopt(const Settled& settled, bool current);
-  void followLevel(const Level& level, const StudioOptions& options);
+  void followLevel(const Level& level, const UpdateOptions& options);
   void followSculpture(const Level& level);
   std::shared_ptr<const RenderScene> sceneOf(const Level& level);
   void takeCoarsePictures(const Level& level, bool original);
-  void request(const Session& session, const StudioOptions& options);
-  bool updateRays(const StudioOptions& options);
+  void request(const Session& session, const UpdateOptions& options);
+  bool updateRays(const UpdateOptions& options);
   bool large() const;
 
   int threads_, frameThreads_;
@@ -118,13 +118,13 @@ class Studio {
   Memo<GridKey, std::shared_ptr<const Image>> screen_;
   Memo<GridKey, std::shared_ptr<const std::vector<RayTree>>> trees_;
 
-  std::optional<SettleInput> requested_;
+  std::optional<EvaluationInput> requested_;
   Clock::time_point lastChange_{};
   bool resting_ = false;  // a change goes on, but has not moved for a while
   bool cancelled_ = false;
 
   const std::function<void()> wake_;
-  std::shared_ptr<Settler> settler_ = std::make_shared<Settler>();
+  std::shared_ptr<Evaluator> evaluator_ = std::make_shared<Evaluator>();
   std::shared_ptr<Mailbox<Settled>> results_ = std::make_shared<Mailbox<Settled>>();
   Worker worker_;  // last: its job uses the mailbox
 };

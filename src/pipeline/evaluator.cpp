@@ -1,4 +1,4 @@
-#include "pipeline/settle.h"
+#include "pipeline/evaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ std::pair<int, int> pictureSize(const Camera& camera, int longerSide) {
   return {std::max(1, int(std::lround(columns * scale))), std::max(1, int(std::lround(rows * scale)))};
 }
 
-bool Settler::deform(Settled& settled, int threads, const Progress& progress) {
+bool Evaluator::deform(Settled& settled, int threads, const Progress& progress) {
   const Level& level = settled.input.level;
   settled.problem = findProblem(level, *settled.original.mesh);
   if (settled.problem) {
@@ -48,9 +48,9 @@ bool Settler::deform(Settled& settled, int threads, const Progress& progress) {
   return false;
 }
 
-Settler::SharedMatch Settler::match(const Settled& settled, int longerSide,
-                                    Memo<MatchInput, SharedMatch>& memo, int threads,
-                                    const Progress& progress) {
+Evaluator::SharedMatch Evaluator::match(const Settled& settled, int longerSide,
+                                        Memo<MatchInput, SharedMatch>& memo, int threads,
+                                        const Progress& progress) {
   const auto [width, height] = pictureSize(settled.input.level.camera, longerSide);
   return memo.get(makeMatchInput(settled.input.level, settled.original, settled.sculpture, width, height),
                   [&](const MatchInput& in) {
@@ -60,7 +60,7 @@ Settler::SharedMatch Settler::match(const Settled& settled, int longerSide,
                   });
 }
 
-void Settler::takePictures(Settled& settled, int threads, const OnPart& onPart, const Progress& progress) {
+void Evaluator::takePictures(Settled& settled, int threads, const OnPart& onPart, const Progress& progress) {
   const Level& level = settled.input.level;
   const auto [width, height] = pictureSize(level.camera, settled.input.previewSize);
   const ImageRequest request = makeImageRequest(level, width, height, threads);
@@ -90,8 +90,8 @@ void Settler::takePictures(Settled& settled, int threads, const OnPart& onPart, 
       std::make_shared<const Image>(markDifferences(*settled.previews.original, *match));
 }
 
-std::optional<Settled> Settler::settle(const SettleInput& input, int threads, const OnPart& onPart,
-                                       const Progress& progress) {
+std::optional<Settled> Evaluator::evaluate(const EvaluationInput& input, int threads, const OnPart& onPart,
+                                           const Progress& progress) {
   Settled settled;
   settled.input = input;
   const Level& level = input.level;

@@ -1,4 +1,4 @@
-#include "pipeline/settle.h"
+#include "pipeline/evaluator.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-SettleInput inputOf(const Level& level, int previewSize = 48) {
+EvaluationInput inputOf(const Level& level, int previewSize = 48) {
   return {level, "level.json", previewSize};
 }
 
@@ -59,16 +59,16 @@ void expectSame(const Settled& a, const Settled& b) {
   EXPECT_TRUE(a.complete && b.complete);
 }
 
-Settled settleAlone(const SettleInput& input) {
-  Settler settler;
-  return *settler.settle(input, 2);
+Settled evaluateAlone(const EvaluationInput& input) {
+  Evaluator evaluator;
+  return *evaluator.evaluate(input, 2);
 }
 
-TEST(Settler, MakesWhatTheCommandsMake) {
+TEST(Evaluator, MakesWhatTheCommandsMake) {
   for (const Level& level : quickLevels()) {
     SCOPED_TRACE(level.title);
-    Settler settler;
-    const Settled settled = *settler.settle(inputOf(level), 2);
+    Evaluator evaluator;
+    const Settled settled = *evaluator.evaluate(inputOf(level), 2);
     EXPECT_EQ(settled.problem, std::nullopt);
     EXPECT_TRUE(settled.complete);
     const FinishedLevel finished = *finishLevel(level, placedOriginal(level), 1);
@@ -86,13 +86,13 @@ TEST(Settler, MakesWhatTheCommandsMake) {
   }
 }
 
-TEST(Settler, KeepsEachStageWhoseInputStays) {
+TEST(Evaluator, KeepsEachStageWhoseInputStays) {
   Level level = quickLevels()[1];
-  Settler settler;
-  const Settled first = *settler.settle(inputOf(level), 2);
+  Evaluator evaluator;
+  const Settled first = *evaluator.evaluate(inputOf(level), 2);
 
   level.title = "another one";
-  const Settled retitled = *settler.settle(inputOf(level), 2);
+  const Settled retitled = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(retitled.shape, first.shape);
   EXPECT_EQ(retitled.original, first.original);
   EXPECT_EQ(retitled.sculpture, first.sculpture);
@@ -101,43 +101,43 @@ TEST(Settler, KeepsEachStageWhoseInputStays) {
   EXPECT_EQ(retitled.previews.original, first.previews.original);
 
   level.lights[0].position.x += 5;
-  const Settled lit = *settler.settle(inputOf(level), 2);
+  const Settled lit = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(lit.shape, first.shape);
   EXPECT_EQ(lit.original, first.original);
   EXPECT_EQ(lit.sculpture, first.sculpture);
   EXPECT_EQ(lit.match, first.match);
   EXPECT_NE(*lit.previews.reflection, *first.previews.reflection);
-  expectSame(lit, settleAlone(inputOf(level)));
+  expectSame(lit, evaluateAlone(inputOf(level)));
 
   level.sculpture.material.color = Color(0, 1, 0);  // the original's picture does not depend on it
-  const Settled painted = *settler.settle(inputOf(level), 2);
+  const Settled painted = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(painted.sculpture, first.sculpture);
   EXPECT_EQ(painted.previews.original, lit.previews.original);
   EXPECT_NE(*painted.previews.reflection, *lit.previews.reflection);
 
-  const Settled larger = *settler.settle(inputOf(level, 64), 2);
+  const Settled larger = *evaluator.evaluate(inputOf(level, 64), 2);
   EXPECT_EQ(larger.match, first.match);
   EXPECT_EQ(larger.previews.reflection->width, 64);
 
   level.sculpture.depthScale *= 0.9;
-  const Settled deeper = *settler.settle(inputOf(level), 2);
+  const Settled deeper = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(deeper.original, first.original);
   EXPECT_NE(deeper.sculpture, first.sculpture);
-  expectSame(deeper, settleAlone(inputOf(level)));
+  expectSame(deeper, evaluateAlone(inputOf(level)));
 }
 
-TEST(Settler, RandomEditsGiveWhatAFreshOneGives) {
+TEST(Evaluator, RandomEditsGiveWhatAFreshOneGives) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Level start = quickLevels()[seed];
-    Settler settler;
+    Evaluator evaluator;
     for (int i = 0; i < 5; ++i) {
-      SettleInput input = inputOf(changed(start, random, random.uniform(0, 3)), random.integer(0, 40));
+      EvaluationInput input = inputOf(changed(start, random, random.uniform(0, 3)), random.integer(0, 40));
       if (random.integer(0, 2) == 0) input.level.original.shape = SphereShape{1, 12};
-      const auto settled = settler.settle(input, 2);
+      const auto settled = evaluator.evaluate(input, 2);
       ASSERT_TRUE(settled);
-      expectSame(*settled, settleAlone(input));
+      expectSame(*settled, evaluateAlone(input));
     }
   }
 }
@@ -157,23 +157,23 @@ void expectGrown(const Settled& before, const Settled& after) {
   EXPECT_FALSE(before.complete) << "nothing comes after all";
 }
 
-TEST(Settler, PartsOnlyEverGainThings) {
+TEST(Evaluator, PartsOnlyEverGainThings) {
   std::vector<Level> levels = quickLevels();
   levels.push_back(levels[2]);
   levels.back().camera.eye = std::get<SphereMirror>(levels[2].optic.shape).centre;
   for (const Level& level : levels) {
-    Settler settler;
+    Evaluator evaluator;
     for (int run = 0; run < 2; ++run) {
       SCOPED_TRACE(level.title + ", run " + std::to_string(run));
       std::vector<Settled> parts;
       double reported = 0;
       Progress progress;
-      progress.report = [&](double share) {
-        EXPECT_GE(share, reported);
-        EXPECT_LE(share, 1);
-        reported = share;
+      progress.report = [&](double fraction) {
+        EXPECT_GE(fraction, reported);
+        EXPECT_LE(fraction, 1);
+        reported = fraction;
       };
-      const Settled settled = *settler.settle(
+      const Settled settled = *evaluator.evaluate(
           inputOf(level), 2, [&](const Settled& part) { parts.push_back(part); }, progress);
       ASSERT_GE(parts.size(), 3u);
       EXPECT_TRUE(run > 0 || parts.size() >= 8) << "coarse pictures first";
@@ -185,26 +185,26 @@ TEST(Settler, PartsOnlyEverGainThings) {
   }
 }
 
-TEST(Settler, CancelledAnywhereTheNextRunIsRight) {
+TEST(Evaluator, CancelledAnywhereTheNextRunIsRight) {
   const Level level = quickLevels()[1];
   Level other = level;
   other.camera.eye.z += 0.5;
-  const Settled wanted = settleAlone(inputOf(level)), otherWanted = settleAlone(inputOf(other));
+  const Settled wanted = evaluateAlone(inputOf(level)), otherWanted = evaluateAlone(inputOf(other));
   int cancelled = 0;
   bool done = false;
-  Settler kept;  // the same one through all cancellations
+  Evaluator kept;  // the same one through all cancellations
   for (int steps = 0; !done; steps += 1 + steps / 6) {
     SCOPED_TRACE("cancelled at report " + std::to_string(steps));
     const bool even = cancelled % 2 == 0;
-    Settler fresh;
-    Settler& settler = steps % 3 == 0 ? fresh : kept;
+    Evaluator fresh;
+    Evaluator& evaluator = steps % 3 == 0 ? fresh : kept;
     Progress progress;
     int reports = 0;
     const auto tick = [&] {
       if (reports++ == steps) progress.token.cancel();
     };
     progress.report = [&](double) { tick(); };
-    const auto settled = settler.settle(
+    const auto settled = evaluator.evaluate(
         inputOf(even ? level : other), 1, [&](const Settled&) { tick(); }, progress);
     done = !progress.cancelled();
     if (settled) {
@@ -214,7 +214,7 @@ TEST(Settler, CancelledAnywhereTheNextRunIsRight) {
       ++cancelled;
     }
     if (steps % 4 == 0) {
-      const auto next = settler.settle(inputOf(level), 2);
+      const auto next = evaluator.evaluate(inputOf(level), 2);
       ASSERT_TRUE(next);
       expectSame(*next, wanted);
     }
@@ -223,17 +223,17 @@ TEST(Settler, CancelledAnywhereTheNextRunIsRight) {
   EXPECT_GT(cancelled, 8);
 }
 
-TEST(Settler, CancelledBeforeItBeginsGivesNothing) {
-  Settler settler;
+TEST(Evaluator, CancelledBeforeItBeginsGivesNothing) {
+  Evaluator evaluator;
   Progress progress;
   progress.token.cancel();
   int parts = 0;
-  const SettleInput input = inputOf(quickLevels()[0]);
-  EXPECT_FALSE(settler.settle(
+  const EvaluationInput input = inputOf(quickLevels()[0]);
+  EXPECT_FALSE(evaluator.evaluate(
       input, 1, [&](const Settled&) { ++parts; }, progress));
   EXPECT_EQ(parts, 0);
-  ASSERT_TRUE(settler.settle(input, 1));
-  EXPECT_FALSE(settler.settle(input, 1, {}, progress)) << "also when all is known already";
+  ASSERT_TRUE(evaluator.evaluate(input, 1));
+  EXPECT_FALSE(evaluator.evaluate(input, 1, {}, progress)) << "also when all is known already";
 }
 
 struct Trouble {
@@ -268,13 +268,13 @@ std::vector<Trouble> troubles() {
   return all;
 }
 
-TEST(Settler, ProblemsAreSentencesAndPicturesStaySound) {
-  Settler kept;
+TEST(Evaluator, ProblemsAreSentencesAndPicturesStaySound) {
+  Evaluator kept;
   for (const Trouble& trouble : troubles()) {
     SCOPED_TRACE(trouble.name);
-    Settler fresh;
-    for (Settler* settler : {&fresh, &kept}) {
-      const auto settled = settler->settle(inputOf(trouble.level), 2, [](const Settled& part) {
+    Evaluator fresh;
+    for (Evaluator* evaluator : {&fresh, &kept}) {
+      const auto settled = evaluator->evaluate(inputOf(trouble.level), 2, [](const Settled& part) {
         for (const auto& picture :
              {part.previews.reflection, part.previews.original, part.previews.difference}) {
           EXPECT_TRUE(!picture || isSound(*picture));
@@ -292,26 +292,26 @@ TEST(Settler, ProblemsAreSentencesAndPicturesStaySound) {
     }
   }
   const Level level = quickLevels()[2];
-  expectSame(*kept.settle(inputOf(level), 2), settleAlone(inputOf(level)));
+  expectSame(*kept.evaluate(inputOf(level), 2), evaluateAlone(inputOf(level)));
 }
 
-TEST(Settler, PartlyUnmappedIsAWarningOnly) {
+TEST(Evaluator, PartlyUnmappedIsAWarningOnly) {
   Level level = quickLevels()[0];
   level.original.placement.position.x += 4;
-  const Settled settled = settleAlone(inputOf(level));
+  const Settled settled = evaluateAlone(inputOf(level));
   EXPECT_EQ(settled.problem, std::nullopt);
   ASSERT_FALSE(settled.warnings.empty());
   EXPECT_NE(settled.warnings[0].find("vertices mapped"), std::string::npos);
   EXPECT_TRUE(settled.match && settled.previews.difference);
 }
 
-TEST(Settler, PreviewSizeZeroIsThePixelGrid) {
+TEST(Evaluator, PreviewSizeZeroIsThePixelGrid) {
   for (const auto& [columns, rows] : {std::pair{8, 8}, {1, 1}, {64, 1}, {1, 64}, {13, 7}, {64, 64}}) {
     SCOPED_TRACE(std::to_string(columns) + " x " + std::to_string(rows));
     Level level = quickLevels()[0];
     level.camera.gridColumns = columns;
     level.camera.gridRows = rows;
-    const Settled settled = settleAlone(inputOf(level, 0));
+    const Settled settled = evaluateAlone(inputOf(level, 0));
     for (const auto& picture :
          {settled.previews.reflection, settled.previews.original, settled.previews.difference}) {
       ASSERT_TRUE(picture);
@@ -320,7 +320,7 @@ TEST(Settler, PreviewSizeZeroIsThePixelGrid) {
       EXPECT_TRUE(isSound(*picture));
     }
     ASSERT_TRUE(settled.match);
-    const Settled sized = settleAlone(inputOf(level, 40));
+    const Settled sized = evaluateAlone(inputOf(level, 40));
     EXPECT_EQ(std::max(sized.previews.reflection->width, sized.previews.reflection->height), 40);
   }
 }
@@ -342,19 +342,19 @@ TEST(PictureSize, HasTheGridsSidesAndAtLeastAPixel) {
   EXPECT_EQ(size(5, 3, 1), std::pair(1, 1));
 }
 
-TEST(Settler, FileThatCannotBeReadIsAnErrorAndTheNextOneIsFine) {
+TEST(Evaluator, FileThatCannotBeReadIsAnErrorAndTheNextOneIsFine) {
   Level level = quickLevels()[0];
-  Settler settler;
-  const SettleInput good = inputOf(level);
-  ASSERT_TRUE(settler.settle(good, 2));
+  Evaluator evaluator;
+  const EvaluationInput good = inputOf(level);
+  ASSERT_TRUE(evaluator.evaluate(good, 2));
   level.original.shape = FileShape{"nothing.obj"};
-  EXPECT_THROW(settler.settle(inputOf(level), 2), Error);
-  EXPECT_THROW(settler.settle(inputOf(level), 2), Error) << "and again";
-  expectSame(*settler.settle(good, 2), settleAlone(good));
+  EXPECT_THROW(evaluator.evaluate(inputOf(level), 2), Error);
+  EXPECT_THROW(evaluator.evaluate(inputOf(level), 2), Error) << "and again";
+  expectSame(*evaluator.evaluate(good, 2), evaluateAlone(good));
   level.original.shape = FileShape{"cube.obj"};
-  SettleInput file = inputOf(level);
+  EvaluationInput file = inputOf(level);
   file.levelPath = std::string(ANAMORPH_TEST_DATA) + "/meshes/level.json";
-  const auto settled = settler.settle(file, 2);
+  const auto settled = evaluator.evaluate(file, 2);
   ASSERT_TRUE(settled);
   EXPECT_EQ(settled->shape->positions.size(), 8u);
 }

@@ -1,5 +1,5 @@
 // The lit scene. First the meshes are drawn (or traced), which tells the triangle that each pixel sees; then
-// passes over all pixels meet mirror, ground and sky, and shade (shaders/studio.frag.glsl). So nothing is
+// passes over all pixels meet mirror, ground and sky, and shade (shaders/scene_pass.frag.glsl). So nothing is
 // shaded that is not seen, and direct view and reflection go through the same shading.
 #pragma once
 
@@ -37,9 +37,9 @@ class SampleMean {
   bool single_ = true;  // a mean of one is that one: the mean is not made before a second sample comes
 };
 
-class StudioView {
+class ScenePass {
  public:
-  StudioView();
+  ScenePass();
 
   void resize(int width, int height);
   /// The image on the RT camera's pixel grid; null: none.
@@ -47,7 +47,7 @@ class StudioView {
 
   /// Adds a sample to the mean; number 0 begins a new one. The textures of the meshes are bound, the scene
   /// block is written.
-  void draw(const SceneBlock& scene, const SurfacePlaces& places, const Visible& visible, int number);
+  void draw(const SceneBlock& scene, const SurfaceSlots& slots, const Visible& visible, int number);
 
   /// The mean: linear light times alpha, alpha.
   const Texture& light() const { return mean_.result(); }
@@ -55,20 +55,20 @@ class StudioView {
   const Texture& depth() const { return mean_.sample().color(1); }
 
  private:
-  /// What a program is made for, see studio.frag.glsl.
+  /// What a program is made for, see scene_pass.frag.glsl.
   struct PixelProgram {
     int mirrorKind = 0;
     bool ghost = false, wires = false, traced = false;
     auto operator<=>(const PixelProgram&) const = default;
   };
 
-  void findTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
+  void findTriangles(const Framebuffer& target, const SurfaceSlots& slots, const Visible& visible,
                      bool ghost);
-  void drawTriangles(const SurfacePlaces& places, int surfaces);
+  void drawTriangles(const SurfaceSlots& slots, int surfaces);
   void drawPixels(const PixelProgram& kind);
 
   ShaderProgram triangles_, traced_;
-  std::map<PixelProgram, ShaderProgram> studio_;  // made when needed
+  std::map<PixelProgram, ShaderProgram> programs_;  // made when needed
   Framebuffer seen_, seenGhost_;
   SampleMean mean_;
   Texture screen_;

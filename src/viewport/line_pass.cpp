@@ -1,4 +1,4 @@
-#include "viewport/line_view.h"
+#include "viewport/line_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -29,13 +29,13 @@ void append(std::vector<glm::vec4>& texels, const Line& line, const Point& origi
 
 }  // namespace
 
-LineView::LineView() : program_("line.vert.glsl", "line.frag.glsl"), texels_(TexelFormat::rgba32f, 1) {
+LinePass::LinePass() : program_("line.vert.glsl", "line.frag.glsl"), texels_(TexelFormat::rgba32f, 1) {
   connectToScene(program_);
   program_.set("lines", lineUnit);
   program_.set("depth", depthUnit);
 }
 
-void LineView::update(const std::shared_ptr<const std::vector<Line>>& lines, const Point& origin) {
+void LinePass::update(const std::shared_ptr<const std::vector<Line>>& lines, const Point& origin) {
   if (lines == lines_ && origin == origin_) return;
   lines_ = lines;
   origin_ = origin;
@@ -54,7 +54,7 @@ void LineView::update(const std::shared_ptr<const std::vector<Line>>& lines, con
   texels_.write(0, texels.data(), texels.size());
 }
 
-void LineView::draw(const Texture& depth, double pixelScale) {
+void LinePass::draw(const Texture& depth, double pixelScale) {
   if (empty()) return;
   texels_.bind(lineUnit);
   depth.bind(depthUnit);

@@ -4,35 +4,35 @@
 
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
-#include "viewport/line_view.h"
-#include "viewport/outline_view.h"
+#include "viewport/line_pass.h"
+#include "viewport/outline_pass.h"
 #include "viewport/scene_block.h"
-#include "viewport/studio_view.h"
+#include "viewport/scene_pass.h"
 
 namespace anamorph {
 
-class InkView {
+class OverlayPass {
  public:
-  InkView();
+  OverlayPass();
 
   /// What there is to draw for this input; the picture's size.
-  void update(const ViewportInput& input, const SurfacePlaces& places, const Visible& visible,
+  void update(const ViewportInput& input, const SurfaceSlots& slots, const Visible& visible,
               const Point& origin, int width, int height);
   bool empty() const { return !anything_; }
 
-  /// Adds a sample to the mean, as StudioView::draw. `depth` is of the same sample; `pixelScale`: pixels of
+  /// Adds a sample to the mean, as ScenePass::draw. `depth` is of the same sample; `pixelScale`: pixels of
   /// the picture for one of a line's width.
-  void draw(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places,
+  void draw(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
             const Texture& depth, double pixelScale, int number);
 
   /// The mean: display colour times alpha, alpha. Undefined while empty().
-  const Texture& ink() const { return mean_.result(); }
+  const Texture& result() const { return mean_.result(); }
 
  private:
-  void drawDots(const SurfacePlaces& places, const Texture& depth, double pixelScale, int vertices);
+  void drawDots(const SurfaceSlots& slots, const Texture& depth, double pixelScale, int vertices);
 
-  LineView lines_;
-  OutlineView outline_;
+  LinePass lines_;
+  OutlinePass outline_;
   ShaderProgram dots_;
   SampleMean mean_;
   Point origin_{0};

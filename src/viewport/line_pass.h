@@ -11,9 +11,9 @@
 
 namespace anamorph {
 
-class LineView {
+class LinePass {
  public:
-  LineView();
+  LinePass();
 
   /// Uploads the lines when they or the origin have changed. Null: none.
   void update(const std::shared_ptr<const std::vector<Line>>& lines, const Point& origin);

@@ -1,7 +1,7 @@
-// All of a window but the window: Dear ImGui, the workspace, the panels, the 3D view, drawn into whatever
+// All of a window but the window: Dear ImGui, the editor, the panels, the 3D view, drawn into whatever
 // framebuffer is bound. The real window, screenshots, the benchmark and tests run the same frame().
 //
-//   mouse, keys --> panels (edits) --> workspace advances --> 3D view --> overlay --> picture
+//   mouse, keys --> panels (edits) --> editor advances --> 3D view --> overlay --> picture
 //                   the session        live step, in the same frame
 #pragma once
 
@@ -15,7 +15,7 @@
 #include "app/quality.h"
 #include "app/render_job.h"
 #include "app/view_input.h"
-#include "edit/workspace.h"
+#include "edit/editor.h"
 #include "gl/timer.h"
 #include "panels/ui_state.h"
 #include "viewport/viewport.h"
@@ -34,13 +34,13 @@ struct FrameTimes {
   double gpu = 0;      ///< of the 3D view, the newest answer
 };
 
-class Desk {
+class Gui {
  public:
   /// Needs a current OpenGL context. `wake` is called from other threads when there is something new to show.
-  explicit Desk(Preferences preferences, std::function<void()> wake = {}, int threads = 0);
-  ~Desk();
-  Desk(const Desk&) = delete;
-  Desk& operator=(const Desk&) = delete;
+  explicit Gui(Preferences preferences, std::function<void()> wake = {}, int threads = 0);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
 
   /// Opens a level, whatever becomes of the old one; an Error is shown as a notice, and goes to the caller
   /// when nothing is open yet.
@@ -59,7 +59,7 @@ class Desk {
   /// Files were dropped on the window.
   void drop(const std::vector<std::filesystem::path>& files);
 
-  Workspace& work() { return *work_; }
+  Editor& editor() { return *editor_; }
   UiState& ui() { return ui_; }
   const FrameTimes& times() const { return times_; }
   /// Whether the 3D view is as fine as it gets.
@@ -80,7 +80,7 @@ class Desk {
 
   ImGuiContext* context_;
   UiState ui_;
-  std::unique_ptr<Workspace> work_;
+  std::unique_ptr<Editor> editor_;
   std::unique_ptr<Viewport> viewport_;
   std::unique_ptr<RenderJob> renderJob_;
   std::unique_ptr<ExportJob> exportJob_;

@@ -1,4 +1,4 @@
-// A desk without a window for the tests of src/app. Machines without OpenGL 3.3 skip them.
+// A GUI without a window for the tests of src/app. Machines without OpenGL 3.3 skip them.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/headless_desk.h"
+#include "app/headless_gui.h"
 #include "base/error.h"
 #include "gl/gl_error.h"
 
@@ -31,7 +31,7 @@ inline std::string levelPath(const std::string& name) {
   return std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
 }
 
-class DeskTest : public ::testing::Test {
+class GuiTest : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string problem;
@@ -39,7 +39,7 @@ class DeskTest : public ::testing::Test {
     takeGlErrors();
     Preferences preferences;
     preferences.uiScale = 1;
-    headless = std::make_unique<HeadlessDesk>(640, 480, preferences, 2);
+    headless = std::make_unique<HeadlessGui>(640, 480, preferences, 2);
   }
   void TearDown() override {
     if (!headless) return;
@@ -47,15 +47,15 @@ class DeskTest : public ::testing::Test {
     EXPECT_EQ(takeGlErrors(), "");
   }
 
-  Desk& desk() { return headless->desk(); }
-  Workspace& work() { return headless->desk().work(); }
-  UiState& ui() { return headless->desk().ui(); }
+  Gui& gui() { return headless->gui(); }
+  Editor& editor() { return headless->gui().editor(); }
+  UiState& ui() { return headless->gui().ui(); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) headless->frame(1.0 / 60, &draft);
   }
 
   static constexpr ViewQuality draft{0.1, 1, 1};
-  std::unique_ptr<HeadlessDesk> headless;
+  std::unique_ptr<HeadlessGui> headless;
 };
 
 }  // namespace anamorph::testing

@@ -14,12 +14,12 @@ layout(location = 0) out vec4 color;   // linear light times alpha, alpha
 layout(location = 1) out float depth;  // lineDepth()
 
 // The plane of the seen triangle, met by the ray of this pixel.
-MeshHit meetSeen(uint id, Ray ray, out Corners corners) {
+MeshHit intersectSeen(uint id, Ray ray, out Corners corners) {
   MeshHit hit = noMeshHit;
   if (id == 0u) return hit;
   hit.triangle = int(id) - 1;
   for (int i = 0; i < surfaceCount; ++i) {
-    int local = hit.triangle - surfacePlace[i].y;
+    int local = hit.triangle - surfaceOffsets[i].y;
     if (local >= 0 && local < surfaceSize[i].x) hit.surface = i;
   }
   if (hit.surface < 0) return hit;
@@ -44,7 +44,7 @@ vec4 ghostColor(Hit hit, Ray ray) {
   float facing = clamp(-dot(hit.normal, ray.direction), 0.0, 1.0);
   float rim = pow(1.0 - facing, 2.5);
   float sky = 0.5 + 0.5 * hit.normal.z;
-  vec3 body = matter[2].rgb * mix(0.6, 1.25, sky);
+  vec3 body = materials[2].rgb * mix(0.6, 1.25, sky);
   vec3 tint = mix(body + 0.05, vec3(0.72, 0.84, 1.0), 0.75 * rim);
   return vec4(tint, mix(0.5, 0.95, rim));
 }
@@ -82,7 +82,7 @@ void main() {
 #endif
 #ifdef TRACED
   Corners corners;
-  MeshHit mesh = meetSeen(solid, ray, corners);
+  MeshHit mesh = intersectSeen(solid, ray, corners);
   if (mesh.surface >= 0) hit = meshHit(mesh, corners, ray);
 #else
   if (solid + clear > 0u) discard;
@@ -94,7 +94,7 @@ void main() {
   vec4 ghost = vec4(0.0);
   float ghostT = 1e30;
 #if defined(GHOST) && defined(TRACED)
-  MeshHit ghostMesh = meetSeen(clear, ray, corners);
+  MeshHit ghostMesh = intersectSeen(clear, ray, corners);
   if (ghostMesh.surface >= 0) {
     ghost = ghostColor(meshHit(ghostMesh, corners, ray), ray);
     ghostT = ghostMesh.t;

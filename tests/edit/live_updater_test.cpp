@@ -1,4 +1,4 @@
-#include "edit/studio.h"
+#include "edit/live_updater.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 using namespace testing;
 
 const std::filesystem::path levels = ANAMORPH_LEVELS;
-constexpr StudioOptions quick{40, false};
+constexpr UpdateOptions quick{40, false};
 
 /// Opens an installed level and makes it as small as quickLevels() are.
 void openQuick(Session& session, const std::string& name, int segments = 6) {
@@ -34,11 +34,11 @@ void openQuick(Session& session, const std::string& name, int segments = 6) {
 }
 
 template <typename Condition>
-bool updateUntil(Studio& studio, const Session& session, const StudioOptions& options,
+bool updateUntil(LiveUpdater& updater, const Session& session, const UpdateOptions& options,
                  const Condition& condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (std::chrono::steady_clock::now() < end) {
-    studio.update(session, options);
+    updater.update(session, options);
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -52,9 +52,9 @@ bool waitUntil(const Condition& condition) {
 }
 
 /// Everything at rest is what the pipeline makes of the level when nothing has gone before.
-void expectSettled(const Products& products, const Session& session, const StudioOptions& options) {
-  Settler settler;
-  const Settled wanted = *settler.settle({session.level(), session.path(), options.previewSize}, 2);
+void expectEvaluated(const Products& products, const Session& session, const UpdateOptions& options) {
+  Evaluator evaluator;
+  const Settled wanted = *evaluator.evaluate({session.level(), session.path(), options.previewSize}, 2);
   EXPECT_EQ(products.level, session.level());
   EXPECT_EQ(*products.shape, *wanted.shape);
   EXPECT_EQ(*products.original.mesh, *wanted.original.mesh);
@@ -107,30 +107,30 @@ void expectFollowing(const Products& products, const Level& level) {
   EXPECT_EQ(wrong, 0u);
 }
 
-TEST(Studio, FinishedProductsAreThoseOfThePipeline) {
+TEST(LiveUpdater, FinishedProductsAreThoseOfThePipeline) {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
     SCOPED_TRACE(name);
     Session session;
     openQuick(session, name);
-    Studio studio({}, 2);
-    studio.finish(session, quick);
-    expectSettled(studio.products(), session, quick);
-    EXPECT_EQ(studio.products().trees, nullptr);
-    EXPECT_FALSE(studio.update(session, quick)) << "nothing is new";
+    LiveUpdater updater({}, 2);
+    updater.finish(session, quick);
+    expectEvaluated(updater.products(), session, quick);
+    EXPECT_EQ(updater.products().trees, nullptr);
+    EXPECT_FALSE(updater.update(session, quick)) << "nothing is new";
   }
 }
 
-TEST(Studio, TreesAreTheRaysOfTheGridWhenAskedFor) {
+TEST(LiveUpdater, TreesAreTheRaysOfTheGridWhenAskedFor) {
   Session session;
   openQuick(session, "2-cylinder");
   Level level = session.level();
   level.camera.gridColumns = 5;
   level.camera.gridRows = 3;
   session.edit(level);
-  Studio studio({}, 2);
-  const StudioOptions withTrees{40, true};
-  studio.finish(session, withTrees);
-  const Products& products = studio.products();
+  LiveUpdater updater({}, 2);
+  const UpdateOptions withTrees{40, true};
+  updater.finish(session, withTrees);
+  const Products& products = updater.products();
   ASSERT_TRUE(products.trees);
   ASSERT_EQ(products.trees->size(), 15u);
   const ImageRequest request = makeImageRequest(level, 5, 3, 1);
@@ -143,13 +143,13 @@ TEST(Studio, TreesAreTheRaysOfTheGridWhenAskedFor) {
     }
   }
   const auto before = products.trees;
-  studio.update(session, withTrees);
+  updater.update(session, withTrees);
   EXPECT_EQ(products.trees, before) << "kept";
-  EXPECT_TRUE(studio.update(session, quick));
+  EXPECT_TRUE(updater.update(session, quick));
   EXPECT_EQ(products.trees, nullptr);
 }
 
-TEST(Studio, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
+TEST(LiveUpdater, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
   int problems = 0;
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
     for (unsigned seed = 0; seed < 3; ++seed) {
@@ -157,114 +157,114 @@ TEST(Studio, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
       Random random(seed);
       Session session;
       openQuick(session, name);
-      Studio studio({}, 2);
-      studio.finish(session, quick);
+      LiveUpdater updater({}, 2);
+      updater.finish(session, quick);
       const Level start = session.level();
       for (int i = 0; i < 8; ++i) {
         session.change(changed(start, random, i < 4 ? 0.3 : 4));
-        EXPECT_TRUE(studio.update(session, quick));
-        expectFollowing(studio.products(), session.level());
-        problems += studio.products().problem.has_value();
-        EXPECT_GT(studio.liveTimes().total(), 0);
+        EXPECT_TRUE(updater.update(session, quick));
+        expectFollowing(updater.products(), session.level());
+        problems += updater.products().problem.has_value();
+        EXPECT_GT(updater.liveTimes().total(), 0);
       }
       session.finishChange();
-      studio.finish(session, quick);
-      expectSettled(studio.products(), session, quick);
+      updater.finish(session, quick);
+      expectEvaluated(updater.products(), session, quick);
     }
   }
   EXPECT_GT(problems, 0);
 }
 
-TEST(Studio, OriginalsPictureIsTakenInTheFrameOnlyWhenWanted) {
+TEST(LiveUpdater, OriginalsPictureIsTakenInTheFrameOnlyWhenWanted) {
   Session session;
   openQuick(session, "2-cylinder");
-  Studio studio({}, 2);
-  const StudioOptions reflectionOnly{40, false, false};
-  studio.finish(session, reflectionOnly);
-  expectSettled(studio.products(), session, reflectionOnly);
+  LiveUpdater updater({}, 2);
+  const UpdateOptions reflectionOnly{40, false, false};
+  updater.finish(session, reflectionOnly);
+  expectEvaluated(updater.products(), session, reflectionOnly);
   Level level = session.level();
   for (const bool wanted : {false, true, false}) {
     level.camera.eye.x += 0.1;
     session.change(level);
-    studio.update(session, {40, false, wanted});
-    const Products& products = studio.products();
+    updater.update(session, {40, false, wanted});
+    const Products& products = updater.products();
     EXPECT_TRUE(products.match && products.previews.reflection);
     EXPECT_EQ(products.previews.original != nullptr, wanted) << "never the one of another level";
     EXPECT_EQ(products.previews.difference != nullptr, wanted);
   }
   session.finishChange();
-  studio.finish(session, reflectionOnly);
-  expectSettled(studio.products(), session, reflectionOnly);
+  updater.finish(session, reflectionOnly);
+  expectEvaluated(updater.products(), session, reflectionOnly);
 }
 
-TEST(Studio, TimesOfTheLastMoveStayWhenNothingMoves) {
+TEST(LiveUpdater, TimesOfTheLastMoveStayWhenNothingMoves) {
   Session session;
   openQuick(session, "1-plane");
-  Studio studio({}, 2);
-  studio.finish(session, quick);
+  LiveUpdater updater({}, 2);
+  updater.finish(session, quick);
   Level level = session.level();
   level.camera.eye.x += 0.5;
   session.change(level);
-  studio.update(session, quick);
-  const double total = studio.liveTimes().total();
-  EXPECT_GT(studio.liveTimes().rays, 0);
-  studio.update(session, quick);
-  EXPECT_EQ(studio.liveTimes().total(), total);
+  updater.update(session, quick);
+  const double total = updater.liveTimes().total();
+  EXPECT_GT(updater.liveTimes().rays, 0);
+  updater.update(session, quick);
+  EXPECT_EQ(updater.liveTimes().total(), total);
 }
 
-TEST(Studio, CancelledDragSettlesWhereItBegan) {
+TEST(LiveUpdater, CancelledDragSettlesWhereItBegan) {
   Session session;
   openQuick(session, "3-sphere");
-  Studio studio({}, 2);
-  studio.finish(session, quick);
+  LiveUpdater updater({}, 2);
+  updater.finish(session, quick);
   Level level = session.level();
   level.camera.eye.x += 2;
   session.change(level);
-  studio.update(session, quick);
+  updater.update(session, quick);
   session.cancelChange();
-  studio.update(session, quick);
-  expectFollowing(studio.products(), session.level());
-  studio.finish(session, quick);
-  expectSettled(studio.products(), session, quick);
+  updater.update(session, quick);
+  expectFollowing(updater.products(), session.level());
+  updater.finish(session, quick);
+  expectEvaluated(updater.products(), session, quick);
 }
 
-TEST(Studio, PauseInADragGetsItsSettledState) {
+TEST(LiveUpdater, PauseInADragGetsItsSettledState) {
   Session session;
   openQuick(session, "2-cylinder");
-  Studio studio({}, 2);
-  studio.finish(session, quick);
+  LiveUpdater updater({}, 2);
+  updater.finish(session, quick);
   Level level = session.level();
   for (int pause = 0; pause < 2; ++pause) {
     level.camera.eye.x += 0.7;
     session.change(level);
-    studio.update(session, quick);
-    EXPECT_TRUE(studio.busy()) << "it will be";
-    if (const auto seconds = studio.secondsUntilDue()) {  // else the update alone took longer than a rest
+    updater.update(session, quick);
+    EXPECT_TRUE(updater.busy()) << "it will be";
+    if (const auto seconds = updater.secondsUntilDue()) {  // else the update alone took longer than a rest
       EXPECT_GE(*seconds, 0);
       EXPECT_LE(*seconds, 0.25);
     }
-    EXPECT_FALSE(studio.products().complete);
-    while (!studio.products().complete) {
-      const bool busy = studio.busy();
-      studio.update(session, quick);
-      ASSERT_TRUE(busy || studio.products().complete) << "a window would have fallen asleep";
+    EXPECT_FALSE(updater.products().complete);
+    while (!updater.products().complete) {
+      const bool busy = updater.busy();
+      updater.update(session, quick);
+      ASSERT_TRUE(busy || updater.products().complete) << "a window would have fallen asleep";
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_TRUE(session.changing());
-    EXPECT_EQ(studio.secondsUntilDue(), std::nullopt);
-    expectSettled(studio.products(), session, quick);
+    EXPECT_EQ(updater.secondsUntilDue(), std::nullopt);
+    expectEvaluated(updater.products(), session, quick);
     level.sculpture.depthScale *= 0.9;
     session.change(level);
-    studio.update(session, quick);
-    expectFollowing(studio.products(), level);
+    updater.update(session, quick);
+    expectFollowing(updater.products(), level);
   }
 }
 
-TEST(Studio, ProblemComesAndGoes) {
+TEST(LiveUpdater, ProblemComesAndGoes) {
   Session session;
   openQuick(session, "3-sphere");
-  Studio studio({}, 2);
-  studio.finish(session, quick);
+  LiveUpdater updater({}, 2);
+  updater.finish(session, quick);
   const Level good = session.level();
   Level inside = good;
   inside.camera.eye = std::get<SphereMirror>(good.optic.shape).centre + Vector(0, 0, 0.5);
@@ -278,33 +278,33 @@ TEST(Studio, ProblemComesAndGoes) {
     // In one drag ...
     for (const Level* level : {&bad, &good, &bad, &good}) {
       session.change(*level);
-      studio.update(session, quick);
-      expectFollowing(studio.products(), *level);
-      EXPECT_EQ(studio.products().problem.has_value(), level == &bad);
+      updater.update(session, quick);
+      expectFollowing(updater.products(), *level);
+      EXPECT_EQ(updater.products().problem.has_value(), level == &bad);
     }
     session.finishChange();
-    studio.finish(session, quick);
-    expectSettled(studio.products(), session, quick);
+    updater.finish(session, quick);
+    expectEvaluated(updater.products(), session, quick);
     // ... and with a rest in it.
     for (const Level* level : {&bad, &good}) {
       session.edit(*level);
-      studio.update(session, quick);
-      EXPECT_EQ(studio.products().problem.has_value(), level == &bad);
-      studio.finish(session, quick);
-      expectSettled(studio.products(), session, quick);
+      updater.update(session, quick);
+      EXPECT_EQ(updater.products().problem.has_value(), level == &bad);
+      updater.finish(session, quick);
+      expectEvaluated(updater.products(), session, quick);
     }
     session.edit(bad);
-    studio.finish(session, quick);
+    updater.finish(session, quick);
     session.change(good);
-    studio.update(session, quick);
-    expectFollowing(studio.products(), good);
-    EXPECT_EQ(studio.products().problem, std::nullopt);
+    updater.update(session, quick);
+    expectFollowing(updater.products(), good);
+    EXPECT_EQ(updater.products().problem, std::nullopt);
     session.finishChange();
-    studio.finish(session, quick);
+    updater.finish(session, quick);
   }
 }
 
-TEST(Studio, WhateverHappensMeanwhileTheEndIsRight) {
+TEST(LiveUpdater, WhateverHappensMeanwhileTheEndIsRight) {
   const char* names[] = {"1-plane", "2-cylinder", "3-sphere"};
   const OriginalShape shapes[] = {BoxShape{{6, 2, 2}, 6}, BoxShape{{2, 2, 2}, 1}, SphereShape{1, 16},
                                   FileShape{"../tests/data/meshes/cube.obj"}, FileShape{"nothing.obj"}};
@@ -313,7 +313,7 @@ TEST(Studio, WhateverHappensMeanwhileTheEndIsRight) {
     Random random(seed);
     Session session;
     openQuick(session, names[seed % 3]);
-    Studio studio({}, 2);
+    LiveUpdater updater({}, 2);
     for (int i = 0; i < 30; ++i) {
       Level level = session.level();
       switch (random.integer(0, 8)) {
@@ -337,61 +337,61 @@ TEST(Studio, WhateverHappensMeanwhileTheEndIsRight) {
           session.edit(changed(level, random, 0.5));
           break;
         case 6:
-          if (random.integer(0, 3) == 0) studio.cancel();
+          if (random.integer(0, 3) == 0) updater.cancel();
           break;
         default:
           session.change(changed(level, random, random.uniform(0, 2)));
       }
-      if (random.integer(0, 3) > 0) studio.update(session, quick);
+      if (random.integer(0, 3) > 0) updater.update(session, quick);
       std::this_thread::sleep_for(std::chrono::microseconds(int(std::pow(10, random.uniform(0, 4.5)))));
     }
     Level level = session.level();
     if (level.original.shape == shapes[4]) {
-      studio.finish(session, quick);
-      ASSERT_TRUE(studio.products().problem);
-      EXPECT_NE(studio.products().problem->find("nothing.obj"), std::string::npos);
+      updater.finish(session, quick);
+      ASSERT_TRUE(updater.products().problem);
+      EXPECT_NE(updater.products().problem->find("nothing.obj"), std::string::npos);
       level.original.shape = shapes[0];
     }
     level.title = "the last one";  // whatever was cancelled
     session.edit(level);
-    studio.finish(session, quick);
-    expectSettled(studio.products(), session, quick);
+    updater.finish(session, quick);
+    expectEvaluated(updater.products(), session, quick);
   }
 }
 
-TEST(Studio, LevelOpenedWhileTheWorkerIsBusyTakesOver) {
+TEST(LiveUpdater, LevelOpenedWhileTheWorkerIsBusyTakesOver) {
   Session session;
   session.open(levels / "3-sphere.json");
   Level heavy = session.level();
   heavy.sculpture.tolerancePixels = 0.02;
   session.edit(heavy);
-  Studio studio({}, 2);
-  studio.update(session, quick);
+  LiveUpdater updater({}, 2);
+  updater.update(session, quick);
   openQuick(session, "1-plane");
-  EXPECT_TRUE(studio.update(session, quick));
-  EXPECT_EQ(studio.products().level, session.level());
-  EXPECT_EQ(studio.products().sculpture.sculpture, nullptr) << "nothing of the other level is shown";
-  studio.finish(session, quick);
-  expectSettled(studio.products(), session, quick);
+  EXPECT_TRUE(updater.update(session, quick));
+  EXPECT_EQ(updater.products().level, session.level());
+  EXPECT_EQ(updater.products().sculpture.sculpture, nullptr) << "nothing of the other level is shown";
+  updater.finish(session, quick);
+  expectEvaluated(updater.products(), session, quick);
 }
 
-TEST(Studio, MeshFileThatFailsIsAProblemAndLaterRecovers) {
+TEST(LiveUpdater, MeshFileThatFailsIsAProblemAndLaterRecovers) {
   Session session;
   openQuick(session, "1-plane");
   const Level good = session.level();
   Level bad = good;
   bad.original.shape = FileShape{"nothing.obj"};
-  Studio studio({}, 2);
+  LiveUpdater updater({}, 2);
   for (int round = 0; round < 2; ++round) {
     session.edit(bad);
-    studio.finish(session, quick);
-    ASSERT_TRUE(studio.products().problem);
-    EXPECT_NE(studio.products().problem->find("nothing.obj"), std::string::npos)
-        << *studio.products().problem;
-    EXPECT_FALSE(studio.products().refined);
+    updater.finish(session, quick);
+    ASSERT_TRUE(updater.products().problem);
+    EXPECT_NE(updater.products().problem->find("nothing.obj"), std::string::npos)
+        << *updater.products().problem;
+    EXPECT_FALSE(updater.products().refined);
     session.undo();
-    studio.finish(session, quick);
-    expectSettled(studio.products(), session, quick);
+    updater.finish(session, quick);
+    expectEvaluated(updater.products(), session, quick);
   }
 }
 
@@ -418,108 +418,108 @@ TEST_F(StudioFile, FailureOfALevelIsNotTheNextOnes) {
   Session session;
   session.open(levelPath());
   std::atomic<int> wakes{0};
-  Studio studio([&] { ++wakes; }, 2);
-  studio.update(session, quick);
+  LiveUpdater updater([&] { ++wakes; }, 2);
+  updater.update(session, quick);
   ASSERT_TRUE(waitUntil([&] { return wakes > 0; })) << "it has failed, and nobody has looked yet";
   openQuick(session, "1-plane");
-  studio.update(session, quick);
-  EXPECT_EQ(studio.products().problem, std::nullopt);
-  EXPECT_FALSE(studio.products().complete);
-  studio.finish(session, quick);
-  expectSettled(studio.products(), session, quick);
+  updater.update(session, quick);
+  EXPECT_EQ(updater.products().problem, std::nullopt);
+  EXPECT_FALSE(updater.products().complete);
+  updater.finish(session, quick);
+  expectEvaluated(updater.products(), session, quick);
 }
 
 TEST_F(StudioFile, OpenedAgainReadsItsMeshAgain) {
   Session session;
   session.open(levelPath());
-  Studio studio({}, 2);
-  studio.finish(session, quick);
-  ASSERT_TRUE(studio.products().problem) << "there is no mesh yet";
-  EXPECT_EQ(studio.products().sculpture.sculpture, nullptr);
+  LiveUpdater updater({}, 2);
+  updater.finish(session, quick);
+  ASSERT_TRUE(updater.products().problem) << "there is no mesh yet";
+  EXPECT_EQ(updater.products().sculpture.sculpture, nullptr);
   for (const int segments : {3, 5}) {
     writeBox(segments);
     session.open(levelPath());
-    studio.finish(session, quick);
-    EXPECT_EQ(studio.products().problem, std::nullopt);
-    EXPECT_EQ(studio.products().shape->triangles.size(), std::size_t(12 * segments * segments));
-    expectSettled(studio.products(), session, quick);
+    updater.finish(session, quick);
+    EXPECT_EQ(updater.products().problem, std::nullopt);
+    EXPECT_EQ(updater.products().shape->triangles.size(), std::size_t(12 * segments * segments));
+    expectEvaluated(updater.products(), session, quick);
   }
 }
 
-TEST(Studio, AnotherPreviewSizeIsNotCompleteUntilItIsThere) {
+TEST(LiveUpdater, AnotherPreviewSizeIsNotCompleteUntilItIsThere) {
   Session session;
   openQuick(session, "1-plane");
-  Studio studio({}, 2);
+  LiveUpdater updater({}, 2);
   for (const int size : {32, 64, 0, 32}) {
-    studio.finish(session, {size, false});
-    EXPECT_EQ(studio.products().previews.reflection->width, size > 0 ? size : 8);
-    expectSettled(studio.products(), session, {size, false});
+    updater.finish(session, {size, false});
+    EXPECT_EQ(updater.products().previews.reflection->width, size > 0 ? size : 8);
+    expectEvaluated(updater.products(), session, {size, false});
   }
 }
 
-TEST(Studio, CancelStopsUntilTheLevelChanges) {
+TEST(LiveUpdater, CancelStopsUntilTheLevelChanges) {
   Session session;
   session.open(levels / "3-sphere.json");
   Level level = session.level();
   level.sculpture.tolerancePixels = 0.02;
   session.edit(level);
-  Studio studio({}, 2);
-  studio.update(session, quick);
-  studio.cancel();
-  ASSERT_TRUE(updateUntil(studio, session, quick, [&] { return !studio.busy(); }));
+  LiveUpdater updater({}, 2);
+  updater.update(session, quick);
+  updater.cancel();
+  ASSERT_TRUE(updateUntil(updater, session, quick, [&] { return !updater.busy(); }));
   for (int i = 0; i < 20; ++i) {
-    studio.update(session, quick);
-    EXPECT_FALSE(studio.busy());
+    updater.update(session, quick);
+    EXPECT_FALSE(updater.busy());
   }
-  EXPECT_FALSE(studio.products().complete);
+  EXPECT_FALSE(updater.products().complete);
   openQuick(session, "3-sphere");
-  studio.update(session, quick);
-  studio.cancel();
+  updater.update(session, quick);
+  updater.cancel();
   level = session.level();
   level.title = "changed";
   session.edit(level);
-  ASSERT_TRUE(updateUntil(studio, session, quick, [&] { return studio.products().complete; }));
-  expectSettled(studio.products(), session, quick);
+  ASSERT_TRUE(updateUntil(updater, session, quick, [&] { return updater.products().complete; }));
+  expectEvaluated(updater.products(), session, quick);
 }
 
-TEST(Studio, FinishAfterCancelFinishes) {
+TEST(LiveUpdater, FinishAfterCancelFinishes) {
   Session session;
   openQuick(session, "1-plane");
-  Studio studio({}, 2);
-  studio.update(session, quick);
-  studio.cancel();
-  studio.finish(session, quick);
-  expectSettled(studio.products(), session, quick);
+  LiveUpdater updater({}, 2);
+  updater.update(session, quick);
+  updater.cancel();
+  updater.finish(session, quick);
+  expectEvaluated(updater.products(), session, quick);
 }
 
-TEST(Studio, WakesWhenThereIsSomethingToTake) {
+TEST(LiveUpdater, WakesWhenThereIsSomethingToTake) {
   Session session;
   openQuick(session, "1-plane");
   std::atomic<int> wakes{0};
-  Studio studio([&] { ++wakes; }, 2);
-  studio.update(session, quick);
+  LiveUpdater updater([&] { ++wakes; }, 2);
+  updater.update(session, quick);
   int taken = 0;
   // As a window does: it looks only when woken.
-  while (!studio.products().complete) {
+  while (!updater.products().complete) {
     ASSERT_TRUE(waitUntil([&] { return wakes > taken; }));
     taken = wakes;
-    studio.update(session, quick);
+    updater.update(session, quick);
   }
   EXPECT_TRUE(waitUntil([&] { return wakes >= 3; })) << "step by step";
 }
 
-TEST(Studio, LargeOriginalsDoNotFollowInTheFrame) {
+TEST(LiveUpdater, LargeOriginalsDoNotFollowInTheFrame) {
   Session session;
   openQuick(session, "1-plane", 183);
   Level level = session.level();
   level.sculpture.tolerancePixels = 0;
   session.edit(level);
-  Studio studio({}, 2);
-  const StudioOptions small{16, false};
-  studio.finish(session, small);
-  const Products& products = studio.products();
-  ASSERT_GT(products.shape->positions.size(), Studio::liveVertexLimit);
-  ASSERT_TRUE(waitUntil([&] { return !studio.busy(); }));
+  LiveUpdater updater({}, 2);
+  const UpdateOptions small{16, false};
+  updater.finish(session, small);
+  const Products& products = updater.products();
+  ASSERT_GT(products.shape->positions.size(), LiveUpdater::liveVertexLimit);
+  ASSERT_TRUE(waitUntil([&] { return !updater.busy(); }));
   EXPECT_TRUE(products.refined && products.match);
   const auto original = products.original.mesh;
   const auto sculpture = products.sculpture.sculpture;
@@ -527,31 +527,32 @@ TEST(Studio, LargeOriginalsDoNotFollowInTheFrame) {
   for (int i = 0; i < 10; ++i) {
     level.original.placement.position.x += 0.01;
     session.change(level);
-    EXPECT_TRUE(studio.update(session, small));
+    EXPECT_TRUE(updater.update(session, small));
     EXPECT_EQ(products.level, level);
     EXPECT_FALSE(products.refined || products.complete);
-    EXPECT_TRUE(studio.busy());
+    EXPECT_TRUE(updater.busy());
     if (i > 0) continue;  // later on the worker may have delivered
     EXPECT_EQ(products.original.mesh, original);
     EXPECT_EQ(products.sculpture.sculpture, sculpture);
     EXPECT_EQ(products.match, match);
-    const LiveTimes& times = studio.liveTimes();
+    const LiveTimes& times = updater.liveTimes();
     EXPECT_EQ(times.original + times.sculpture + times.preview + times.match, 0);
   }
   // While the drag goes on, what the worker makes is shown though it is of a moment ago.
-  ASSERT_TRUE(updateUntil(studio, session, small, [&] { return products.sculpture.sculpture != sculpture; }));
+  ASSERT_TRUE(
+      updateUntil(updater, session, small, [&] { return products.sculpture.sculpture != sculpture; }));
   session.finishChange();
-  studio.finish(session, small);
+  updater.finish(session, small);
   EXPECT_EQ(products.level, level);
   EXPECT_EQ(*products.original.mesh, *placeOriginal(*products.shape, false, level.original.placement));
 
   std::get<BoxShape>(level.original.shape).segments = 4;
   session.edit(level);
-  studio.finish(session, small);
-  expectSettled(products, session, small);
+  updater.finish(session, small);
+  expectEvaluated(products, session, small);
   level.camera.eye.x += 0.1;
   session.change(level);
-  studio.update(session, small);
+  updater.update(session, small);
   expectFollowing(products, level);
 }
 

@@ -1,4 +1,4 @@
-#include "app/desk.h"
+#include "app/gui.h"
 
 #include <algorithm>
 #include <chrono>
@@ -62,9 +62,9 @@ void showNewPictures(const ImDrawData& data, const UiTextures& before, const UiT
 
 }  // namespace
 
-Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
+Gui::Gui(Preferences preferences, std::function<void()> wake, int threads)
     : context_(ImGui::CreateContext()),
-      work_(std::make_unique<Workspace>(wake, threads)),
+      editor_(std::make_unique<Editor>(wake, threads)),
       renderJob_(std::make_unique<RenderJob>(wake)),
       exportJob_(std::make_unique<ExportJob>(wake)),
       software_(isSoftwareRenderer()),
@@ -80,32 +80,32 @@ Desk::Desk(Preferences preferences, std::function<void()> wake, int threads)
   loadThumbnails();
 }
 
-Desk::~Desk() {
+Gui::~Gui() {
   ImGui::SetCurrentContext(context_);
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
 }
 
-void Desk::open(const std::filesystem::path& path) {
-  endViewDrag(*work_, ui_, false);  // it would put the old level into the new one's place
+void Gui::open(const std::filesystem::path& path) {
+  endViewDrag(*editor_, ui_, false);  // it would put the old level into the new one's place
   letGoOfWidgets();
   try {
-    openLevel(*work_, path);
+    openLevel(*editor_, path);
     rememberLevel(ui_, path);
   } catch (const Error& error) {
-    if (work_->session.generation() == 0) throw;
+    if (editor_->session.generation() == 0) throw;
     ui_.notice = Notice{"The level could not be opened", error.what()};
   }
 }
 
-void Desk::serveRequests() {
-  settleRequests(*work_, ui_);
+void Gui::serveRequests() {
+  settleRequests(*editor_, ui_);
   if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
-  if (std::exchange(ui_.requests.startNew, false)) openNewLevel(*work_);
+  if (std::exchange(ui_.requests.startNew, false)) openNewLevel(*editor_);
 }
 
 // The pictures that the README shows, where there is one of a level's name.
-void Desk::loadThumbnails() {
+void Gui::loadThumbnails() {
   for (const LevelEntry& entry : ui_.levels) {
     const std::filesystem::path file = resourceFolder() / "assets" / "pictures" / (entry.name + ".png");
     std::error_code ignored;
@@ -119,17 +119,17 @@ void Desk::loadThumbnails() {
   }
 }
 
-void Desk::refreshLanguage() {
+void Gui::refreshLanguage() {
   if (language_ == ui_.preferences.language) return;
   language_ = ui_.preferences.language;
   try {
     chooseLanguage(*language_);
   } catch (const Error& error) {
-    work_->message = error.what();
+    editor_->message = error.what();
   }
 }
 
-void Desk::refreshStyle() {
+void Gui::refreshStyle() {
   const Preferences& p = ui_.preferences;
   ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme) * shotFactor_;
   const bool asBefore =
@@ -143,9 +143,9 @@ void Desk::refreshStyle() {
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void Desk::refreshTextures() {
-  const Previews& previews = work_->studio.products().previews;
-  const bool smooth = work_->preview.size > 0;
+void Gui::refreshTextures() {
+  const Previews& previews = editor_->updater.products().previews;
+  const bool smooth = editor_->preview.size > 0;
   reflection_.show(previews.reflection, smooth);
   original_.show(previews.original, smooth);
   difference_.show(previews.difference, false);
@@ -156,9 +156,9 @@ void Desk::refreshTextures() {
   ui_.textures.render = render_.texture();
 }
 
-void Desk::drawView(double seconds, const ViewQuality* forced) {
+void Gui::drawView(double seconds, const ViewQuality* forced) {
   ViewportInput input;
-  times_.input = timed([&] { input = inputMaker_.make(*work_, ui_, transparent_); });
+  times_.input = timed([&] { input = inputMaker_.make(*editor_, ui_, transparent_); });
   const bool moving = !(input == lastInput_);
   secondsStill_ = moving ? 0 : secondsStill_ + seconds;
   const ImGuiIO& io = ImGui::GetIO();
@@ -179,10 +179,10 @@ void Desk::drawView(double seconds, const ViewQuality* forced) {
   if (drawn) governor_.took(quality, software_ ? times_.view : times_.gpu);
   if (moving) lastInput_ = std::move(input);
   ui_.viewScale = quality.scale;
-  ui_.textures.view = {viewport_->texture(), work_->viewWidth, work_->viewHeight, true};
+  ui_.textures.view = {viewport_->texture(), editor_->viewWidth, editor_->viewHeight, true};
 }
 
-void Desk::frame(double seconds, const ViewQuality* forced) {
+void Gui::frame(double seconds, const ViewQuality* forced) {
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
@@ -193,21 +193,21 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   ImGui_ImplOpenGL3_NewFrame();
   times_.panels = timed([&] {
     ImGui::NewFrame();
-    drawPanels(*work_, ui_);
+    drawPanels(*editor_, ui_);
   });
   serveRequests();
-  times_.advance = timed([&] { advance(*work_, seconds); });
-  ViewInputMaker::stepRays(*work_);
-  const double length = ViewInputMaker::animationSeconds(*work_);
-  if (work_->rays.animate && !work_->rays.loop && work_->animationSeconds > length) {
-    work_->animationSeconds = length;
-    work_->animationPaused = true;
+  times_.advance = timed([&] { advance(*editor_, seconds); });
+  ViewInputMaker::stepRays(*editor_);
+  const double length = ViewInputMaker::animationSeconds(*editor_);
+  if (editor_->rays.animate && !editor_->rays.loop && editor_->animationSeconds > length) {
+    editor_->animationSeconds = length;
+    editor_->animationPaused = true;
   }
-  renderJob_->update(work_->studio.products(), ui_);
-  exportJob_->update(*work_, ui_);
+  renderJob_->update(editor_->updater.products(), ui_);
+  exportJob_->update(*editor_, ui_);
   drawView(seconds, forced);
   refreshTextures();
-  drawViewOverlay(*work_, ui_);
+  drawViewOverlay(*editor_, ui_);
   times_.draw = timed([&] {
     ImGui::Render();
     showNewPictures(*ImGui::GetDrawData(), shown, ui_.textures);
@@ -220,20 +220,20 @@ void Desk::frame(double seconds, const ViewQuality* forced) {
   ui_.frameMilliseconds = millisecondsSince(start);
 }
 
-bool Desk::unfinished() const {
-  return isMoving(*work_) || !viewComplete() || work_->studio.busy() || work_->job.busy() ||
+bool Gui::unfinished() const {
+  return isMoving(*editor_) || !viewComplete() || editor_->updater.busy() || editor_->job.busy() ||
          ui_.render.running || ui_.exporting.running;
 }
 
-void Desk::key(int key, int modifiers, bool repeated) {
+void Gui::key(int key, int modifiers, bool repeated) {
   ImGui::SetCurrentContext(context_);
   if (ImGui::GetIO().WantTextInput && !isDialogOpen(ui_)) return;
-  handleKey(key, modifiers, *work_, ui_, repeated);
+  handleKey(key, modifiers, *editor_, ui_, repeated);
 }
 
-void Desk::drop(const std::vector<std::filesystem::path>& files) {
+void Gui::drop(const std::vector<std::filesystem::path>& files) {
   ImGui::SetCurrentContext(context_);
-  acceptFiles(files, *work_, ui_);
+  acceptFiles(files, *editor_, ui_);
 }
 
 }  // namespace anamorph

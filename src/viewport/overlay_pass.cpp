@@ -1,4 +1,4 @@
-#include "viewport/ink_view.h"
+#include "viewport/overlay_pass.h"
 
 #include <glad/gl.h>
 
@@ -12,23 +12,23 @@ constexpr double dotRadius = 2.2;  // pixels at 100 %
 
 }  // namespace
 
-InkView::InkView() : dots_("dot.vert.glsl", "dot.frag.glsl") {
+OverlayPass::OverlayPass() : dots_("dot.vert.glsl", "dot.frag.glsl") {
   connectToScene(dots_);
   dots_.set("depth", depthUnit);
 }
 
-void InkView::update(const ViewportInput& input, const SurfacePlaces& places, const Visible& visible,
-                     const Point& origin, int width, int height) {
+void OverlayPass::update(const ViewportInput& input, const SurfaceSlots& slots, const Visible& visible,
+                         const Point& origin, int width, int height) {
   origin_ = origin;
   lines_.update(input.lines, origin);
-  hasOutline_ = OutlineView::wanted(input, visible);
-  hasDots_ = input.display.statusColors && visible.sculpture && !places[0].whole;
+  hasOutline_ = OutlinePass::wanted(input, visible);
+  hasDots_ = input.display.statusColors && visible.sculpture && !slots[0].whole;
   anything_ = !lines_.empty() || hasOutline_ || hasDots_;
   if (anything_) mean_.resize(width, height, {TexelFormat::rgba8}, false);
 }
 
-void InkView::draw(const ViewportInput& input, const SceneBlock& scene, const SurfacePlaces& places,
-                   const Texture& depth, double pixelScale, int number) {
+void OverlayPass::draw(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
+                       const Texture& depth, double pixelScale, int number) {
   mean_.beginSample(number);
   mean_.sample().bind();
   const GLfloat nothing[] = {0, 0, 0, 0};
@@ -36,16 +36,16 @@ void InkView::draw(const ViewportInput& input, const SceneBlock& scene, const Su
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (hasDots_) {
-    drawDots(places, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
+    drawDots(slots, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
   }
-  if (hasOutline_) outline_.draw(mean_.sample(), input, scene, origin_, places, pixelScale);
+  if (hasOutline_) outline_.draw(mean_.sample(), input, scene, origin_, slots, pixelScale);
   lines_.draw(depth, pixelScale);
   glDisable(GL_BLEND);
   mean_.endSample(number);
 }
 
-void InkView::drawDots(const SurfacePlaces& places, const Texture& depth, double pixelScale, int vertices) {
-  if (places[0].triangles == 0) return;
+void OverlayPass::drawDots(const SurfaceSlots& slots, const Texture& depth, double pixelScale, int vertices) {
+  if (slots[0].triangles == 0) return;
   depth.bind(depthUnit);
   dots_.use();
   dots_.set("radius", static_cast<float>(dotRadius * pixelScale));

@@ -1,4 +1,4 @@
-#include "edit/studio.h"
+#include "edit/live_updater.h"
 
 #include <algorithm>
 #include <thread>
@@ -44,17 +44,17 @@ std::shared_ptr<const Image> shared(std::optional<Image> image) {
 
 }  // namespace
 
-Studio::Studio(std::function<void()> wake, int threads)
+LiveUpdater::LiveUpdater(std::function<void()> wake, int threads)
     : threads_(threads > 0 ? threads : hardwareThreads()),
       frameThreads_(std::min(threads_, 4)),
       wake_(wake),
       worker_(std::move(wake)) {}
 
-bool Studio::large() const {
+bool LiveUpdater::large() const {
   return products_.shape && products_.shape->positions.size() > liveVertexLimit;
 }
 
-bool Studio::update(const Session& session, const StudioOptions& options) {
+bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
   bool changed = false;
   if (session.generation() != generation_) {
     openLevel(session);
@@ -82,11 +82,11 @@ bool Studio::update(const Session& session, const StudioOptions& options) {
   return changed;
 }
 
-void Studio::openLevel(const Session& session) {
+void LiveUpdater::openLevel(const Session& session) {
   generation_ = session.generation();
   worker_.cancel();
   // The running job keeps the old ones until it notices. And a file that is opened again is read again.
-  settler_ = std::make_shared<Settler>();
+  evaluator_ = std::make_shared<Evaluator>();
   results_ = std::make_shared<Mailbox<Settled>>();
   requested_.reset();
   cancelled_ = false;
@@ -99,7 +99,7 @@ void Studio::openLevel(const Session& session) {
   baseSculpture_ = {};
 }
 
-bool Studio::takeResults(const Session& session) {
+bool LiveUpdater::takeResults(const Session& session) {
   bool changed = false;
   if (const auto settled = results_->take(); settled && settled->input.levelPath == session.path()) {
     const bool current = settled->input.level == session.level();
@@ -118,7 +118,7 @@ bool Studio::takeResults(const Session& session) {
 }
 
 // What is not current is a new start for the live step, which follows at once.
-void Studio::adopt(const Settled& settled, bool current) {
+void LiveUpdater::adopt(const Settled& settled, bool current) {
   products_.level = settled.input.level;
   products_.shape = settled.shape;
   products_.original = settled.original;
@@ -138,7 +138,7 @@ void Studio::adopt(const Settled& settled, bool current) {
   liveSculpture_.reset();
 }
 
-void Studio::followLevel(const Level& level, const StudioOptions& options) {
+void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) {
   const Level before = std::exchange(products_.level, level);
   products_.refined = products_.complete = false;
   liveTimes_ = {};
@@ -161,7 +161,7 @@ void Studio::followLevel(const Level& level, const StudioOptions& options) {
   takeCoarsePictures(level, options.original);
 }
 
-void Studio::followSculpture(const Level& level) {
+void LiveUpdater::followSculpture(const Level& level) {
   products_.warnings.clear();
   products_.problem = findProblem(level, *products_.original.mesh);
   if (products_.problem) {
@@ -181,7 +181,7 @@ void Studio::followSculpture(const Level& level) {
   products_.warnings = findWarnings(level, sculpture);
 }
 
-void Studio::takeCoarsePictures(const Level& level, bool original) {
+void LiveUpdater::takeCoarsePictures(const Level& level, bool original) {
   const auto [width, height] = pictureSize(level.camera, coarseSize);
   ImageRequest request = makeImageRequest(level, width, height, frameThreads_);
   request.samplesPerAxis = 1;
@@ -207,13 +207,13 @@ void Studio::takeCoarsePictures(const Level& level, bool original) {
   products_.match = match;
 }
 
-std::shared_ptr<const RenderScene> Studio::sceneOf(const Level& level) {
+std::shared_ptr<const RenderScene> LiveUpdater::sceneOf(const Level& level) {
   return scene_.get(makeReflectionScene(level, products_.sculpture), [](const SceneInput& input) {
     return std::make_shared<const RenderScene>(buildScene(input));
   });
 }
 
-void Studio::request(const Session& session, const StudioOptions& options) {
+void LiveUpdater::request(const Session& session, const UpdateOptions& options) {
   resting_ = false;
   if (cancelled_) return;
   if (session.changing()) {
@@ -223,13 +223,13 @@ void Studio::request(const Session& session, const StudioOptions& options) {
       return;
     }
   }
-  SettleInput wanted{session.level(), session.path(), options.previewSize};
+  EvaluationInput wanted{session.level(), session.path(), options.previewSize};
   if (requested_ == wanted) return;
   requested_ = wanted;
   products_.complete = false;
-  worker_.request([settler = settler_, results = results_, wake = wake_, threads = threads_,
+  worker_.request([evaluator = evaluator_, results = results_, wake = wake_, threads = threads_,
                    wanted = std::move(wanted)](const Progress& progress) {
-    settler->settle(
+    evaluator->evaluate(
         wanted, threads,
         [&](const Settled& part) {
           results->put(part);
@@ -239,7 +239,7 @@ void Studio::request(const Session& session, const StudioOptions& options) {
   });
 }
 
-bool Studio::updateRays(const StudioOptions& options) {
+bool LiveUpdater::updateRays(const UpdateOptions& options) {
   const Level& level = products_.level;
   if (!products_.sculpture.sculpture) {
     const bool had = products_.scene != nullptr;
@@ -271,26 +271,26 @@ bool Studio::updateRays(const StudioOptions& options) {
   return before != std::pair{products_.screen, products_.trees};
 }
 
-bool Studio::busy() const {
+bool LiveUpdater::busy() const {
   return worker_.busy() || resting_;
 }
 
-std::optional<double> Studio::secondsUntilDue() const {
+std::optional<double> LiveUpdater::secondsUntilDue() const {
   if (!resting_) return std::nullopt;
   const std::chrono::duration<double> still = Clock::now() - lastChange_;
   return std::max(0.0, restSeconds - still.count());
 }
 
-void Studio::cancel() {
+void LiveUpdater::cancel() {
   worker_.cancel();
   cancelled_ = true;
 }
 
-void Studio::restart() {
+void LiveUpdater::restart() {
   if (std::exchange(cancelled_, false)) requested_.reset();
 }
 
-void Studio::finish(const Session& session, const StudioOptions& options) {
+void LiveUpdater::finish(const Session& session, const UpdateOptions& options) {
   restart();
   do {
     update(session, options);

@@ -1,4 +1,4 @@
-#include "viewport/studio_view.h"
+#include "viewport/scene_pass.h"
 
 #include <array>
 #include <cstdint>
@@ -52,7 +52,7 @@ void SampleMean::copySample() const {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-StudioView::StudioView()
+ScenePass::ScenePass()
     : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
       traced_("full_screen.vert.glsl", "traced_id.frag.glsl"),
       screen_(TexelFormat::rgba32f, 1, 1) {
@@ -62,14 +62,14 @@ StudioView::StudioView()
   screen_.write(0, 0, 1, 1, black.data());
 }
 
-void StudioView::resize(int width, int height) {
+void ScenePass::resize(int width, int height) {
   mean_.resize(width, height, {TexelFormat::rgba16f, TexelFormat::r32f}, true);
   if (seen_.width() == width && seen_.height() == height) return;
   for (Framebuffer* old : {&seen_, &seenGhost_}) *old = Framebuffer();
   seen_ = Framebuffer(width, height, {TexelFormat::r32ui}, true);
 }
 
-void StudioView::setScreen(const std::shared_ptr<const Image>& screen) {
+void ScenePass::setScreen(const std::shared_ptr<const Image>& screen) {
   if (screen == shown_) return;
   shown_ = screen;
   if (!screen || screen->pixels.empty()) return;
@@ -83,14 +83,13 @@ void StudioView::setScreen(const std::shared_ptr<const Image>& screen) {
   screen_.write(0, 0, screen->width, screen->height, texels.data());
 }
 
-void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, const Visible& visible,
-                      int number) {
+void ScenePass::draw(const SceneBlock& scene, const SurfaceSlots& slots, const Visible& visible, int number) {
   mean_.beginSample(number);
-  findTriangles(seen_, places, visible, false);
+  findTriangles(seen_, slots, visible, false);
   if (visible.ghost) {
     if (seenGhost_.empty())
       seenGhost_ = Framebuffer(seen_.width(), seen_.height(), {TexelFormat::r32ui}, true);
-    findTriangles(seenGhost_, places, visible, true);
+    findTriangles(seenGhost_, slots, visible, true);
   }
   mean_.sample().bind();
   seen_.color().bind(seenUnit);
@@ -108,14 +107,14 @@ void StudioView::draw(const SceneBlock& scene, const SurfacePlaces& places, cons
   mean_.endSample(number);
 }
 
-void StudioView::drawPixels(const PixelProgram& kind) {
-  ShaderProgram& program = studio_[kind];
+void ScenePass::drawPixels(const PixelProgram& kind) {
+  ShaderProgram& program = programs_[kind];
   if (program.empty()) {
     std::vector<std::string> defines{fmt::format("MIRROR_KIND {}", kind.mirrorKind)};
     if (kind.traced) defines.emplace_back("TRACED");
     if (kind.ghost) defines.emplace_back("GHOST");
     if (kind.wires) defines.emplace_back("WIRES");
-    program = ShaderProgram("full_screen.vert.glsl", "studio.frag.glsl", defines);
+    program = ShaderProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", defines);
     connectToScene(program);
     program.set("seen", seenUnit);
     program.set("seenGhost", ghostUnit);
@@ -126,16 +125,16 @@ void StudioView::drawPixels(const PixelProgram& kind) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void StudioView::findTriangles(const Framebuffer& target, const SurfacePlaces& places, const Visible& visible,
-                               bool ghost) {
+void ScenePass::findTriangles(const Framebuffer& target, const SurfaceSlots& slots, const Visible& visible,
+                              bool ghost) {
   int surfaces = 0;
   std::int64_t triangles = 0;
   for (const GpuSurface surface : {GpuSurface::sculpture, GpuSurface::original, GpuSurface::rtCamera}) {
     const bool isGhost = surface == GpuSurface::original && visible.ghost;
     const int i = static_cast<int>(surface);
-    if (!visible.surface(surface) || isGhost != ghost || places[i].triangles == 0) continue;
+    if (!visible.surface(surface) || isGhost != ghost || slots[i].triangles == 0) continue;
     surfaces |= 1 << i;
-    triangles += places[i].triangles;
+    triangles += slots[i].triangles;
   }
   target.bind();
   if (fasterTraced(triangles, target)) {
@@ -143,11 +142,11 @@ void StudioView::findTriangles(const Framebuffer& target, const SurfacePlaces& p
     traced_.set("wanted", surfaces);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   } else {
-    drawTriangles(places, surfaces);
+    drawTriangles(slots, surfaces);
   }
 }
 
-void StudioView::drawTriangles(const SurfacePlaces& places, int surfaces) {
+void ScenePass::drawTriangles(const SurfaceSlots& slots, int surfaces) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   const std::array<GLuint, 4> nothing{};
@@ -158,7 +157,7 @@ void StudioView::drawTriangles(const SurfacePlaces& places, int surfaces) {
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     if ((surfaces & 1 << i) == 0) continue;
     triangles_.set("surface", i);
-    glDrawArrays(GL_TRIANGLES, 0, 3 * places[i].triangles);
+    glDrawArrays(GL_TRIANGLES, 0, 3 * slots[i].triangles);
   }
   glDisable(GL_DEPTH_TEST);
 }

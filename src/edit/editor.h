@@ -15,12 +15,12 @@
 #include "edit/edit_job.h"
 #include "edit/gizmo.h"
 #include "edit/lesson_run.h"
+#include "edit/live_updater.h"
 #include "edit/morph_stage.h"
 #include "edit/pick.h"
 #include "edit/pose_flight.h"
 #include "edit/selection.h"
 #include "edit/session.h"
-#include "edit/studio.h"
 #include "edit/view_pose.h"
 
 namespace anamorph {
@@ -34,11 +34,11 @@ struct PreviewSettings {
   bool expanded = false;
 };
 
-struct Workspace {
-  explicit Workspace(std::function<void()> wake = {}, int threads = 0) : studio(wake, threads), job(wake) {}
+struct Editor {
+  explicit Editor(std::function<void()> wake = {}, int threads = 0) : updater(wake, threads), job(wake) {}
 
   Session session;
-  Studio studio;
+  LiveUpdater updater;
   EditJob job;  ///< an edit that is made in the background
 
   DisplaySettings display;
@@ -76,41 +76,41 @@ struct Workspace {
 
 /// Opens a level and looks at it from where it wants to be looked at; an installed one that was left changed is as it
 /// was left, unless it is the open one, which is read anew. Throws Error and changes nothing then.
-void openLevel(Workspace& work, const std::filesystem::path& path);
+void openLevel(Editor& editor, const std::filesystem::path& path);
 
 /// Begins a new level, the default one, and looks at it likewise.
-void openNewLevel(Workspace& work);
+void openNewLevel(Editor& editor);
 
 /// Looks at the session's level as at one that has just been opened.
-void lookAfresh(Workspace& work);
+void lookAfresh(Editor& editor);
 
 /// Goes on by `seconds`: flights, the rays' animation, the studio. Returns whether anything changed that is
 /// shown.
-bool advance(Workspace& work, double seconds);
+bool advance(Editor& editor, double seconds);
 
 /// Whether something moves by itself, so that the next frame should come soon.
-bool isMoving(const Workspace& work);
+bool isMoving(const Editor& editor);
 
 /// Moves the view there in a fifth of a second. Ends looking through.
-void flyTo(Workspace& work, const ViewPose& pose);
+void flyTo(Editor& editor, const ViewPose& pose);
 /// The view is turned or shifted by hand: no flight, no looking through any more.
-void takeOverView(Workspace& work);
+void takeOverView(Editor& editor);
 
 /// To the RT camera's place, and back to where it began.
-void toggleLookThrough(Workspace& work);
+void toggleLookThrough(Editor& editor);
 
 /// Of the placed original and of the sculpture as they are shown; empty when there is none.
-Box originalBox(const Workspace& work);
-Box sculptureBox(const Workspace& work);
+Box originalBox(const Editor& editor);
+Box sculptureBox(const Editor& editor);
 
 /// The box of what is selected, of everything when nothing is.
-Box boxOf(const Workspace& work, const Selection& selection);
+Box boxOf(const Editor& editor, const Selection& selection);
 
 /// The vertex ray of the picked point in the level as it is; nothing when none is picked or nothing is there
 /// yet.
-std::optional<Construction> currentConstruction(const Workspace& work);
+std::optional<Construction> currentConstruction(const Editor& editor);
 
 /// What the 3D view shows as sculpture: the sculpture, or a state on the way to it (display.morph).
-PreparedSculpture shownSculpture(Workspace& work);
+PreparedSculpture shownSculpture(Editor& editor);
 
 }  // namespace anamorph

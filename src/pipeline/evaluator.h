@@ -16,12 +16,12 @@
 
 namespace anamorph {
 
-struct SettleInput {
+struct EvaluationInput {
   Level level;
   std::filesystem::path levelPath;  ///< mesh files are relative to it
   int previewSize = 256;            ///< longer side of the pictures in pixels; 0: the pixel grid's resolution
 
-  bool operator==(const SettleInput&) const = default;
+  bool operator==(const EvaluationInput&) const = default;
 };
 
 /// The three pictures of the preview, all of one size; null when not made yet.
@@ -34,7 +34,7 @@ struct Previews {
 };
 
 struct Settled {
-  SettleInput input;
+  EvaluationInput input;
   std::shared_ptr<const Mesh> shape;  ///< the original before it is placed
   PreparedMesh original;
   PreparedSculpture sculpture;         ///< without triangles when there is a problem
@@ -52,14 +52,14 @@ std::pair<int, int> pictureSize(const Camera& camera, int longerSide);
 /// The longer side of the image that the match compares, as the command line has it.
 constexpr int matchSize = 512;
 
-class Settler {
+class Evaluator {
  public:
   /// Called with what is known so far, more each time, from the calling thread. Pictures come coarse first.
   using OnPart = std::function<void(const Settled&)>;
 
   /// Nothing when cancelled. Throws Error when the original cannot be read.
-  std::optional<Settled> settle(const SettleInput& input, int threads, const OnPart& onPart = {},
-                                const Progress& progress = {});
+  std::optional<Settled> evaluate(const EvaluationInput& input, int threads, const OnPart& onPart = {},
+                                  const Progress& progress = {});
 
  private:
   struct ShapeKey {

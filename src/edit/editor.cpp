@@ -1,0 +1,191 @@
+#include "edit/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/language.h"
+#include "base/parallel_for.h"
+#include "edit/level_edits.h"
+#include "edit/level_files.h"
+#include "edit/orbit.h"
+
+namespace anamorph {
+namespace {
+
+ViewPose rtPose(const Editor& editor) {
+  return lookThroughPose(editor.session.level().camera, std::max(1, editor.viewWidth),
+                         std::max(1, editor.viewHeight));
+}
+
+// What depends on the level's parts and may be gone after an edit.
+void dropStaleSelection(Editor& editor) {
+  const Level& level = editor.session.level();
+  const int lights = static_cast<int>(level.lights.size());
+  const Selection& selected = editor.selection;
+  if (selected.part == Part::light && (selected.index < 0 || selected.index >= lights)) editor.selection = {};
+  const bool inGrid = editor.cell && editor.cell->column < level.camera.gridColumns &&
+                      editor.cell->row < level.camera.gridRows;
+  if (!inGrid) editor.cell.reset();
+  const auto& original = editor.updater.products().original.mesh;
+  if (editor.point && original && !isOn(*original, *editor.point)) editor.point.reset();
+}
+
+bool advanceView(Editor& editor, double seconds) {
+  const ViewPose before = editor.pose;
+  if (editor.flight) {
+    if (editor.lookingThrough) editor.flight->goal = rtPose(editor);
+    editor.flightSeconds += seconds;
+    editor.pose = editor.flight->poseAt(editor.flightSeconds);
+    if (editor.flight->endedAt(editor.flightSeconds)) editor.flight.reset();
+  } else if (editor.lookingThrough) {
+    editor.pose = rtPose(editor);
+  }
+  return !(before == editor.pose);
+}
+
+void extendBy(Box& box, const Box& other) {
+  if (other.empty()) return;
+  box.extend(other.min);
+  box.extend(other.max);
+}
+
+Box boxOf(const PreparedMesh& mesh) {
+  return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
+}
+
+Box mirrorBox(const Level& level) {
+  if (findShapeProblem(level.optic.shape)) return {};
+  return boundingBox(tessellate(level.optic.shape).positions);
+}
+
+// Keeps what is to be found again when the session has gone from this level to another.
+class Leaving {
+ public:
+  explicit Leaving(const Editor& editor) {
+    if (!editor.session.isInstalled() || !editor.session.modified()) return;
+    path_ = cleanPath(editor.session.path());
+    level_ = editor.session.level();
+  }
+  void keep(Editor& editor, const std::filesystem::path& opened) const {
+    if (!path_.empty() && path_ != opened) editor.leftLevels[path_] = level_;
+  }
+
+ private:
+  std::filesystem::path path_;
+  Level level_;
+};
+
+}  // namespace
+
+void openLevel(Editor& editor, const std::filesystem::path& path) {
+  const Leaving leaving(editor);
+  editor.session.open(path);
+  lookAfresh(editor);
+  editor.message = editor.session.warnings().empty() ? "" : editor.session.warnings().front();
+  const std::filesystem::path opened = cleanPath(path);
+  leaving.keep(editor, opened);
+  const auto left = editor.leftLevels.extract(opened);
+  if (left.empty()) return;
+  editor.session.edit(left.mapped());
+  editor.message = tr("As you left it. Ctrl+R: as it was.");
+}
+
+void openNewLevel(Editor& editor) {
+  Leaving(editor).keep(editor, {});
+  Level level;
+  level.view = {{19, -24, 15}, {0, -3, 2}, 40};  // the RT camera is in it, too
+  editor.session.startNew(std::move(level));
+  lookAfresh(editor);
+  editor.message.clear();
+}
+
+void lookAfresh(Editor& editor) {
+  const ViewSettings& view = editor.session.level().view;
+  editor.pose = soundPose({view.eye, view.target, {0, 0, 1}, view.fovDegrees, false});
+  editor.flight.reset();
+  editor.lookingThrough = false;
+  editor.returnPose.reset();
+  editor.selection = {};
+  editor.point.reset();
+  editor.cell.reset();
+  editor.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
+  editor.display.morph = 1;
+  editor.animationSeconds = 0;
+}
+
+bool advance(Editor& editor, double seconds) {
+  if (auto message = editor.job.update(editor.session)) editor.message = std::move(*message);
+  dropStaleSelection(editor);
+  bool changed = advancePlay(editor, seconds);
+  changed |= advanceView(editor, seconds);
+  if (editor.rays.animate && editor.rays.show && !editor.animationPaused) {
+    editor.animationSeconds += seconds;
+    changed = true;
+  }
+  const bool trees = editor.rays.show && (editor.rays.source == RaySource::pixels || editor.cell);
+  const bool original = editor.preview.tab != PreviewTab::reflection;
+  changed |= editor.updater.update(editor.session, {editor.preview.size, trees, original});
+  return advanceLesson(editor) || changed;
+}
+
+bool isMoving(const Editor& editor) {
+  return editor.flight || editor.lesson.play ||
+         (editor.rays.animate && editor.rays.show && !editor.animationPaused);
+}
+
+void flyTo(Editor& editor, const ViewPose& pose) {
+  editor.lookingThrough = false;
+  editor.flight = PoseFlight{editor.pose, pose};
+  editor.flightSeconds = 0;
+}
+
+void takeOverView(Editor& editor) {
+  editor.flight.reset();
+  editor.lookingThrough = false;
+}
+
+void toggleLookThrough(Editor& editor) {
+  if (editor.lookingThrough) {
+    flyTo(editor, editor.returnPose.value_or(editor.pose));
+    return;
+  }
+  editor.returnPose = editor.flight ? editor.flight->goal : editor.pose;
+  flyTo(editor, rtPose(editor));
+  editor.lookingThrough = true;
+}
+
+Box originalBox(const Editor& editor) {
+  return boxOf(editor.updater.products().original);
+}
+
+Box sculptureBox(const Editor& editor) {
+  return boxOf(editor.updater.products().sculpture.prepared);
+}
+
+Box boxOf(const Editor& editor, const Selection& selection) {
+  const Level& level = editor.session.level();
+  const Box original = originalBox(editor), sculpture = sculptureBox(editor);
+  if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
+  Box box = mirrorBox(level);
+  extendBy(box, original);
+  extendBy(box, sculpture);
+  if (editor.display.rtCamera) box.extend(level.camera.eye);
+  return box;
+}
+
+std::optional<Construction> currentConstruction(const Editor& editor) {
+  const Products& products = editor.updater.products();
+  if (!editor.point || !products.original.mesh) return std::nullopt;
+  if (!isOn(*products.original.mesh, *editor.point)) return std::nullopt;
+  if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
+  return makeConstruction(products.level, pointOn(*products.original.mesh, *editor.point));
+}
+
+PreparedSculpture shownSculpture(Editor& editor) {
+  const Products& products = editor.updater.products();
+  return editor.morph.at(editor.display.morph, products.level, products.sculpture,
+                         std::min(hardwareThreads(), 4));
+}
+
+}  // namespace anamorph
