@@ -16,6 +16,7 @@
 #include "finished.h"
 #include "geometry/mesh_files.h"
 #include "in_dutch.h"
+#include "pipeline/stages.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -70,9 +71,8 @@ TEST(Export, VertexRaysAreThoseOfTheMap) {
     ASSERT_EQ(file.lines.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
       const VertexRay ray =
-          makeVertexRay(level.optic, level.camera.eye, vertices[(2 * i + 1) * vertices.size() / (2 * count)],
-                        level.sculpture.depthScale);
-      const Point expected[] = {ray.eye, ray.mirror, ray.sculpture};
+          makeVertexRay(makeVertexMap(level), vertices[(2 * i + 1) * vertices.size() / (2 * count)]);
+      const Point expected[] = {ray.eye, ray.legs.back().start, ray.sculpture};
       ASSERT_EQ(file.lines[i].size(), 3u);
       for (int k = 0; k < 3; ++k) {
         const Point got = file.points.at(file.lines[i][k] - 1);
@@ -156,7 +156,7 @@ TEST(Export, MatchPageHoldsThreePicturesOfItsSize) {
 
 TEST(Export, MatchPageEscapesTheTitle) {
   LevelResult finished = finishedLevel("1-plane");
-  finished.level.title = "<b>\"A & B\"</b>";
+  finished.level.text.edit([&](LevelText& text) { text.title = "<b>\"A & B\"</b>"; });
   const Image pixel(1, 1);
   {
     const InDutch dutch;
@@ -178,7 +178,7 @@ TEST(Export, Base64IsThatOfItsStandard) {
 
 TEST(Export, GoesWithoutAMirror) {
   Level level = finishedLevel("1-plane").level;
-  level.optic.kind = OpticKind::canvas;
+  level.optic.parts.front().kind = OpticKind::canvas;
   level.sculpture.depthScale = 0.3;
   const LevelResult finished = finish(level);
   const TemporaryFolder folder;

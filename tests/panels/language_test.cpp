@@ -22,6 +22,7 @@
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
 #include "pipeline/stages.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {
@@ -135,10 +136,7 @@ TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
   std::vector<std::string> names;
   for (int i = 0; i < 4; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
   for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
-  for (const Shape& shape :
-       {Shape(PlaneMirror{}), Shape(CylinderMirror{}), Shape(SphereMirror{})}) {
-    names.emplace_back(shapeName(shape));
-  }
+  for (const ShapeType& type : shapeTypes()) names.emplace_back(type.name);
   names.emplace_back(surfaceName({OpticKind::mirror, {}}));
   names.emplace_back(surfaceName({OpticKind::canvas, {}}));
   for (const std::string& name : names) EXPECT_EQ(known.count(name), 1u) << name;
@@ -271,7 +269,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   editor.rays.lightRays = true;
   editor.preview.expanded = false;
   Level own = editor.session.level();
-  own.title = own.description = "«its author's words»";  // which are edited as they are
+  own.text = LevelText{"«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
     openTab(editor, ui, static_cast<PropertyTab>(tab));
@@ -299,13 +297,7 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
     open(name);
     const Level before = editor.session.level();
     Level level = before;
-    level.camera.eye = std::visit(
-        [](const auto& mirror) {
-          if constexpr (requires { mirror.centre; }) return mirror.centre;
-          if constexpr (requires { mirror.top; }) return 0.5 * (mirror.top + mirror.bottom);
-          if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
-        },
-        level.optic.shape());
+    level.camera.eye = middleOf(level.optic.shape());
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
     openTab(editor, ui, PropertyTab::eye);
