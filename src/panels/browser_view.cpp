@@ -25,7 +25,7 @@ void drawIcon(bool folder, ImVec2 at, float size) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 low{at.x + 0.08f * size, at.y + 0.2f * size}, high{at.x + 0.95f * size, at.y + 0.88f * size};
   if (folder) {
-    const ImU32 color = IM_COL32(0xE6, 0x9F, 0x00, 255);
+    const ImU32 color = ink::of(palette::folder);
     list->AddRectFilled(low, {low.x + 0.45f * size, high.y}, color, 0.1f * size);
     list->AddRectFilled({low.x, low.y + 0.12f * size}, high, color, 0.1f * size);
   } else {

@@ -94,7 +94,7 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   ui.hoveredCell.reset();
   if (hovered) pickCell(editor, ui, r);
   if (ui.hoveredCell) drawCell(r, camera, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
-  if (editor.cell) drawCell(r, camera, *editor.cell, IM_COL32(255, 217, 51, 255), 2.5f);
+  if (editor.cell) drawCell(r, camera, *editor.cell, ink::of(palette::chosenCell), 2.5f);
 }
 
 // `parts`: they are shown below; else the tooltip has them.

@@ -3,16 +3,16 @@
 #include <cmath>
 
 #include "math/frame.h"
+#include "math/palette.h"
 
 namespace anamorph {
 namespace {
 
-constexpr Color orange{1, 0.35, 0}, paper{0.55, 0.68, 0.8};
 constexpr int divisions = 8, chords = 48;
 
 class Drawing {
  public:
-  explicit Drawing(bool selected) : color_(selected ? orange : paper) {}
+  explicit Drawing(bool selected) : color_(inkOf(selected ? palette::selected : palette::canvas)) {}
 
   void add(const Point& from, const Point& to, bool edge) {
     lines.push_back({from, to, color_, edge ? 0.95 : 0.4, edge ? 1.8 : 0.9});

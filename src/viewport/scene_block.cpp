@@ -7,6 +7,7 @@
 
 #include <glm/ext/vector_double4.hpp>
 
+#include "math/palette.h"
 #include "optics/plane_mirror.h"
 #include "raytrace/scene.h"
 #include "raytrace/tracer.h"
@@ -15,8 +16,7 @@ namespace anamorph {
 namespace {
 
 constexpr Material rtCameraMaterial{Color(0.055, 0.06, 0.07), 0.5, 0.9, 0.35, 30};
-constexpr Color mappedColor(0, 0.342, 0.171);  // bluish green of Okabe and Ito, linear light
-constexpr double markerRadius = 0.018;         // in radii of the scene
+constexpr double markerRadius = 0.018;  // in radii of the scene
 
 glm::vec4 pack(const Vector& v, double w = 0) {
   return glm::vec4(glm::dvec4(v, w));
@@ -129,7 +129,7 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
                   const SurfaceSlots& slots, const Point& origin) {
   const DisplaySettings& display = input.display;
   Material sculpture = input.level.sculpture.material;
-  if (display.statusColors) sculpture.color = mappedColor;
+  if (display.statusColors) sculpture.color = lightOf(palette::vertexStatus[0]);
   const Material* materials[] = {&sculpture, &input.level.original.material, &rtCameraMaterial};
   const bool solidOriginal = visible.original && !visible.ghost;
   const bool mirroredOriginal = visible.original && display.originalInMirror;
