@@ -1,181 +1,25 @@
 #include "exports/export_request.h"
 
-#include <algorithm>
 #include <numeric>
-
-#include <fmt/format.h>
+#include <string>
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/file.h"
-#include "base/folder.h"
-#include "base/language.h"
-#include "exports/match_report_files.h"
-#include "exports/page_file.h"
+#include "exports/export_formats.h"
 #include "exports/printable.h"
-#include "exports/ray_file.h"
-#include "geometry/mesh_files.h"
-#include "pipeline/evaluator.h"
-#include "raytrace/png.h"
 
 namespace anamorph {
-namespace {
-
-constexpr double hiddenWorthSaying = 0.005;  // share of the pixels
-
-bool isOneOf(const std::string& ending, std::initializer_list<const char*> endings) {
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
-
-// Files of another kind than their ending says would not open.
-void checkEnding(const ExportRequest& request) {
-  auto kind = findExportKind(request.path);
-  if (request.kind == ExportKind::rays && lowerEnding(request.path) == ".obj") kind = ExportKind::rays;
-  if (kind != request.kind) {
-    throw Error(std::string("expected a file name that ends in ") + exportEndings(request.kind),
-                request.path.string());
-  }
-}
-
-std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const Arrangement& arrangement) {
-  std::vector<std::string> warnings;
-  if (!arrangement.plate) return warnings;
-  const double hidden = fractionHiddenByPlate(finished, arrangement);
-  if (hidden > hiddenWorthSaying) {
-    warnings.push_back(
-        fmt::format(fmt::runtime(tr("the base plate hides {:.1f} % of the reflection: it stands between the "
-                                    "eye and the mirror, or between the mirror and the sculpture")),
-                    100 * hidden));
-  }
-  const double below = arrangement.table - arrangement.plate->lowerFace;
-  if (below > 1e-9 * arrangement.plate->thickness) {
-    warnings.push_back(fmt::format(fmt::runtime(tr("the base plate's lower face is {:.1f} mm below the "
-                                                   "table: raise the mirror and the eye by as much")),
-                                   below));
-  }
-  return warnings;
-}
-
-std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
-                                            const Progress& progress) {
-  Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
-  ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
-  Mesh& mesh = arrangement.sculpture;
-  if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
-  const Vector size = boundingBox(mesh.positions).size();
-  summary.description =
-      fmt::format(fmt::runtime(tr("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm")),
-                  mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
-  if (arrangement.plate) summary.description += tr(" with its base plate");
-  if (!progress.update(0.5)) return std::nullopt;
-  MeshFileOptions file;
-  file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
-                             shapeName(finished.level.optic.shape), surfaceName(finished.level.optic),
-                             request.millimetresPerUnit);
-  if (progress.cancelled()) return std::nullopt;
-  saveMesh(request.path, mesh, file);
-  return summary;
-}
-
-std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const ExportRequest& request,
-                                        const Progress& progress) {
-  const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
-  if (!progress.update(0.3)) return std::nullopt;
-  const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
-  if (!progress.update(0.8)) return std::nullopt;
-  const bool pdf = lowerEnding(request.path) == ".pdf";
-  const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
-  if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{
-      fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
-      findPlateWarnings(finished, arrangement)};
-}
-
-std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
-                                       const Progress& progress) {
-  const bool ofVertices = request.vertexRays.has_value();
-  const auto text =
-      ofVertices ? makeVertexRayObj(finished, *request.vertexRays, request.millimetresPerUnit, progress)
-                 : makePixelRayObj(finished, request.millimetresPerUnit, progress);
-  if (!text || progress.cancelled()) return std::nullopt;
-  writeFile(request.path, *text);
-  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
-}
-
-std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const ExportRequest& request,
-                                        int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
-  const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
-  if (progress.cancelled()) return std::nullopt;
-  const std::string grade = tr(matchGradeName(gradeOf(match.report)));
-  if (lowerEnding(request.path) == ".json") {
-    const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-    writeFile(request.path, formatJson(matchJson(match.report, counts)));
-    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
-  }
-  const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
-  auto reflection =
-      makePicture(finished, PictureKind::reflection, image, nullptr, partOf(progress, 0.4, 0.8));
-  auto original = makePicture(finished, PictureKind::original, image, nullptr, partOf(progress, 0.8, 1));
-  if (!reflection || !original) return std::nullopt;
-  Image difference = markDifferences(*original, match);
-  const std::string page = makeMatchPage(
-      finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
-  if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
-}
-
-std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
-                                          int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
-  Match match;
-  const bool compares = request.picture == PictureKind::difference;
-  if (compares) match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
-  if (progress.cancelled()) return std::nullopt;
-  const auto image =
-      makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
-                  partOf(progress, compares ? 0.4 : 0, 1));
-  if (!image) return std::nullopt;
-  savePng(request.path, *image);
-  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height), {}};
-}
-
-}  // namespace
-
-std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
-  const std::string ending = lowerEnding(path);
-  if (isMeshFile(path)) return ExportKind::sculpture;
-  if (isOneOf(ending, {".pdf", ".svg"})) return ExportKind::viewingSheet;
-  if (isOneOf(ending, {".html", ".json"})) return ExportKind::matchReport;
-  if (ending == ".png") return ExportKind::picture;
-  return std::nullopt;
-}
-
-const char* exportEndings(ExportKind kind) {
-  constexpr const char* endings[] = {".obj, .stl or .ply", ".pdf or .svg", ".obj", ".html or .json", ".png"};
-  return endings[static_cast<int>(kind)];
-}
 
 std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,
                                          int threads, const Progress& progress) {
-  checkEnding(request);
+  const ExportFormat& format = formatOf(request.kind);
+  // Files of another kind than their ending says would not open.
+  if (!hasEnding(format, request.path)) {
+    throw Error("expected a file name that ends in " + exportEndings(request.kind), request.path.string());
+  }
   CHECK(finished.sculpture.sculpture && !finished.sculpture.sculpture->mesh.triangles.empty());
   if (!progress.update(0)) return std::nullopt;
-  switch (request.kind) {
-    case ExportKind::sculpture:
-      return writeSculpture(finished, request, progress);
-    case ExportKind::viewingSheet:
-      return writeSheet(finished, request, progress);
-    case ExportKind::rays:
-      return writeRays(finished, request, progress);
-    case ExportKind::matchReport:
-      return writeMatch(finished, request, threads, progress);
-    case ExportKind::picture:
-      break;
-  }
-  return writePicture(finished, request, threads, progress);
+  return format.write(finished, request, threads, progress);
 }
 
 std::optional<PrintCheck> checkSculpture(const FinishedLevel& finished, double millimetresPerUnit,

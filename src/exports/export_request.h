@@ -1,11 +1,5 @@
 // Take it home: one function that makes any of the files a level gives, for the command line and the window
-// alike.
-//
-//   sculpture     .obj .stl .ply   in millimetres, with a base plate on request
-//   viewingSheet  .pdf .svg        one page to set mirror, sculpture and eye up by
-//   rays          .obj             vertex rays or the pixel grid's rays, as lines
-//   matchReport   .html .json      how well the reflection agrees with the original
-//   picture       .png             what the RT camera sees
+// alike. Which there are is in export_formats.h.
 //
 // Always of the finished, refined level. A file is replaced atomically; cancelled, nothing is written.
 #pragma once
@@ -21,6 +15,7 @@
 
 namespace anamorph {
 
+/// A row of export_formats.h each.
 enum class ExportKind { sculpture, viewingSheet, rays, matchReport, picture };
 
 struct ExportRequest {
@@ -40,13 +35,6 @@ struct ExportSummary {
   std::string description;            ///< "6146 vertices, 12288 triangles, 78.1 x 22.0 x 13.3 mm"
   std::vector<std::string> warnings;  ///< whole sentences
 };
-
-/// The kind that a file's ending asks for, in small or capital letters; .obj is a sculpture. Nothing for an
-/// unknown ending.
-std::optional<ExportKind> findExportKind(const std::filesystem::path& path);
-
-/// The endings of a kind, for messages and file dialogs: ".obj, .stl or .ply".
-const char* exportEndings(ExportKind kind);
 
 /// Makes the file of a level that has a sculpture. Throws Error. Nothing, and no file, when cancelled.
 std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,

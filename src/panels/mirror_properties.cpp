@@ -7,8 +7,8 @@
 namespace anamorph {
 namespace {
 
-constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
-constexpr NumberRange lengths{1e-6, 1e6, 0.01, "%.2f"};  // what a level can hold
+constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
+constexpr NumberRange lengths{limits::lengths, 0.01, "%.2f"};
 
 struct ShapeRows {
   bool operator()(PlaneMirror& plane) const {
@@ -67,7 +67,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
   }
   if (reflects && section(ui, "Look", false)) {
     changed |= colorRow("Tint", level.mirrorLook.tint, "The colour of what it reflects.");
-    changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {0, 1, 0.01, "%.2f"},
+    changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {limits::fractions, 0.01, "%.2f"},
                          "The share of the light that it gives back.");
   }
   if (changed) editor.session.change(std::move(level));

@@ -133,17 +133,16 @@ bool sliderRow(const char* name, double& value, const NumberRange& range, const 
   return takeFinite(changed, value, before);
 }
 
-bool integerRow(const char* name, int& value, int min, int max, const char* help) {
+bool integerRow(const char* name, int& value, const Range& range, const char* help) {
   beginRow(name, help);
   const TypeByDoubleClick types;
-  const bool changed = ImGui::SliderInt("##value", &value, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderInt("##value", &value, static_cast<int>(range.min),
+                                        static_cast<int>(range.max), "%d", ImGuiSliderFlags_AlwaysClamp);
   endRow(help);
   return changed;
 }
 
 bool vectorRow(const char* name, Vector& value, const NumberRange& range, const char* help) {
-  constexpr ImU32 axisColors[] = {IM_COL32(214, 69, 65, 255), IM_COL32(64, 160, 74, 255),
-                                  IM_COL32(66, 120, 216, 255)};
   beginRow(name, help);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
   bool changed = false;

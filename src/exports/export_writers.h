@@ -1,0 +1,22 @@
+// What the rows of export_formats.h are written by: each makes the file of a request and says what it is. Nothing, and
+// no file, when cancelled; throws Error.
+#pragma once
+
+#include <optional>
+
+#include "exports/export_request.h"
+
+namespace anamorph {
+
+std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
+                                            int threads, const Progress& progress);
+std::optional<ExportSummary> writeViewingSheet(const FinishedLevel& finished, const ExportRequest& request,
+                                               int threads, const Progress& progress);
+std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
+                                       int threads, const Progress& progress);
+std::optional<ExportSummary> writeMatchReport(const FinishedLevel& finished, const ExportRequest& request,
+                                              int threads, const Progress& progress);
+std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
+                                          int threads, const Progress& progress);
+
+}  // namespace anamorph
