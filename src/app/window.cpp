@@ -29,6 +29,7 @@
 #include "base/language.h"
 #include "edit/level_files.h"
 #include "gl/load_gl.h"
+#include "level/limits.h"
 #include "panels/actions.h"
 #include "panels/file_flow.h"
 #include "raytrace/png.h"
@@ -205,7 +206,7 @@ class MainWindow {
     lastFrame_ = now;
     float scaleX = 1, scaleY = 1;
     glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
-    gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
+    gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, limits::uiScale.min, limits::uiScale.max));
     ImGui_ImplGlfw_NewFrame();
     gui_->frame(seconds);
     for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {

@@ -1,8 +1,9 @@
-#include "exports/export_request.h"
+#include "exports/export_level.h"
 
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,12 +11,14 @@
 #include "base/error.h"
 #include "cli/program.h"
 #include "error_text.h"
+#include "exports/export_formats.h"
 #include "exports/match_report_files.h"
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "finished.h"
 #include "geometry/mesh_files.h"
 #include "in_dutch.h"
+#include "math/palette.h"
 #include "pipeline/stages.h"
 #include "raytrace/png.h"
 
@@ -169,6 +172,22 @@ TEST(Export, MatchPageEscapesTheTitle) {
   }
   const std::string html = makeMatchPage(finished, {}, {pixel, pixel, pixel});
   EXPECT_THAT(html, HasSubstr("<h1>&lt;b&gt;&quot;A &amp; B&quot;&lt;/b&gt;</h1>"));
+}
+
+TEST(Export, MatchPageExplainsTheColoursOfItsPicture) {
+  const std::pair<PixelClass, Rgb> marked[] = {{PixelClass::onlyOriginal, palette::onlyOriginal},
+                                               {PixelClass::onlyReflection, palette::onlyReflection},
+                                               {PixelClass::hidden, palette::hiddenReflection},
+                                               {PixelClass::missed, palette::noMirror}};
+  const Image pixel(1, 1);
+  const std::string page = makeMatchPage(finishedLevel("1-plane"), {}, {pixel, pixel, pixel});
+  for (const auto& [kind, color] : marked) {
+    Match match;
+    match.classes = {kind};
+    const Bitmap bitmap = toBitmap(markDifferences(Image(1, 1), match));
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(bitmap.bytes[static_cast<std::size_t>(c)], channelOf(color, c));
+    EXPECT_THAT(page, HasSubstr(fmt::format("background:#{:06x}", static_cast<std::uint32_t>(color))));
+  }
 }
 
 TEST(Export, Base64IsThatOfItsStandard) {

@@ -19,6 +19,7 @@
 #include "edit/replacements.h"
 #include "level/json.h"
 #include "panels/dialog.h"
+#include "panels/export_entries.h"
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
 #include "pipeline/stages.h"
@@ -94,9 +95,10 @@ std::vector<fs::path> filesThatSpeak() {
   for (const char* name :
        {"app/autosave.cpp", "app/desk.cpp", "app/export_job.cpp", "app/render_job.cpp",
         "app/window_files.cpp", "edit/construction.cpp", "edit/edit_job.cpp", "edit/gizmo_drag.cpp",
-        "edit/level_files.cpp", "exports/export_request.cpp", "exports/print_check.cpp",
-        "exports/sheet_plan.cpp", "exports/sheet_side_view.cpp", "exports/sheet_words.cpp",
-        "exports/viewing_sheet.cpp", "optics/mirror_problems.cpp", "pipeline/stages.cpp"}) {
+        "edit/level_files.cpp", "exports/export_formats.cpp", "exports/export_writers.cpp",
+        "exports/print_check.cpp", "exports/sheet_plan.cpp", "exports/sheet_side_view.cpp",
+        "exports/sheet_words.cpp", "exports/viewing_sheet.cpp", "optics/mirror_problems.cpp",
+        "pipeline/stages.cpp", "raytrace/ray_looks.h"}) {
     files.push_back(source / "src" / name);
   }
   for (const auto& entry : fs::directory_iterator(source / "src/panels")) {
@@ -327,10 +329,11 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   EXPECT_TRUE(hasSeen("Words"));
   ui.helpOpen = false;
   ui.exporting.open = true;
-  for (int kind = 0; kind < 6; ++kind) {
-    ui.exporting.kind = kind;
-    look("export " + std::to_string(kind));
+  for (std::size_t kind = 0; kind < exportEntries().size(); ++kind) {
+    ui.exporting.kind = static_cast<int>(kind);
+    look(std::string("export ") + exportEntries()[kind].name);
   }
+  EXPECT_TRUE(hasSeen("Times as large")) << "the screenshot's";
   ui.exporting.open = false;
   ui.render.open = true;
   look("render");
@@ -349,11 +352,13 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
 TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   open("2-cylinder");
   const fs::path folder = fs::path(ANAMORPH_TEST_DATA) / "levels";
-  for (int purpose = 0; purpose < 8; ++purpose) {
+  std::vector<FilePurpose> purposes{FilePurpose::openLevel, FilePurpose::saveLevel, FilePurpose::openMesh};
+  for (const ExportEntry& entry : exportEntries()) purposes.push_back(entry.purpose);
+  for (const FilePurpose& purpose : purposes) {
     ui.browser.root = folder;
-    browseFiles(ui, static_cast<FilePurpose>(purpose), folder / "file.json");
+    browseFiles(ui, purpose, folder / "file.json");
     frames(2);
-    look("browser " + std::to_string(purpose));
+    look(std::string("browser: ") + purpose.title);
   }
   ui.browser = {};
   frames(2);

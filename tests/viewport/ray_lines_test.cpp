@@ -82,6 +82,8 @@ TEST(RayStyle, KindsDifferInColourAndAlsoWithoutColour) {
   std::set<std::string> looks, colors;
   for (const RayKind kind : allKinds) {
     const Line line = rayStyle(kind);
+    EXPECT_EQ(line, makeLine(lookOf(kind).line)) << "as the legend says";
+    EXPECT_EQ(line.color, inkOf(lookOf(kind).line.color));
     colors.insert(std::to_string(line.color.x) + "," + std::to_string(line.color.y) + "," +
                   std::to_string(line.color.z));
     looks.insert(std::to_string(int(line.style)) + std::to_string(line.arrow) + std::to_string(line.alpha));
