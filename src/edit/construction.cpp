@@ -188,4 +188,10 @@ Construction makeConstruction(const Level& level, const Point& original) {
                           level.sculpture.mistakes);
 }
 
+const std::optional<Construction>& ConstructionStage::at(const Level& level, const Point& original) {
+  return memo_.get(
+      {level.optic, level.camera.eye, original, level.sculpture.depthScale, level.sculpture.mistakes},
+      [&](const Input&) { return std::optional(makeConstruction(level, original)); });
+}
+
 }  // namespace anamorph

@@ -18,6 +18,7 @@
 
 #include "anamorphosis/vertex_ray.h"
 #include "level/level.h"
+#include "pipeline/memo.h"
 
 namespace anamorph {
 
@@ -59,5 +60,21 @@ Construction makeConstruction(const Optic& optic, const Point& eye, const Point&
                               const Mistakes& mistakes = {});
 /// With the level's mirror, eye, depth scale and mistakes.
 Construction makeConstruction(const Level& level, const Point& original);
+
+/// A construction, kept as long as nothing changes that it shows.
+class ConstructionStage {
+ public:
+  const std::optional<Construction>& at(const Level& level, const Point& original);
+
+ private:
+  struct Input {
+    Optic optic;
+    Point eye, original;
+    double depthScale;
+    Mistakes mistakes;
+    bool operator==(const Input&) const = default;
+  };
+  Memo<Input, std::optional<Construction>> memo_;
+};
 
 }  // namespace anamorph

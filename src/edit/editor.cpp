@@ -174,12 +174,13 @@ Box boxOf(const Editor& editor, const Selection& selection) {
   return box;
 }
 
-std::optional<Construction> currentConstruction(const Editor& editor) {
+const std::optional<Construction>& currentConstruction(Editor& editor) {
+  static const std::optional<Construction> none;
   const Products& products = editor.updater.products();
-  if (!editor.point || !products.original.mesh) return std::nullopt;
-  if (!isOn(*products.original.mesh, *editor.point)) return std::nullopt;
-  if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
-  return makeConstruction(products.level, pointOn(*products.original.mesh, *editor.point));
+  if (!editor.point || !products.original.mesh) return none;
+  if (!isOn(*products.original.mesh, *editor.point)) return none;
+  if (findShapeProblem(products.level.optic.shape)) return none;
+  return editor.construction.at(products.level, pointOn(*products.original.mesh, *editor.point));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {

@@ -6,12 +6,13 @@
 #include <glm/common.hpp>
 
 #include "base/check.h"
+#include "raytrace/look.h"
 
 namespace anamorph {
 namespace {
 
 float shoulder(float x) {
-  constexpr float start = 0.75f;
+  constexpr float start = look::shoulderStart;
   return x <= start ? x : start + (1 - start) * (1 - std::exp(-(x - start) / (1 - start)));
 }
 

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "anamorphosis/vertex_ray.h"
-
 namespace anamorph {
 namespace {
 
@@ -84,20 +82,6 @@ void visitTrees(const std::vector<RayTree>& trees, std::optional<std::size_t> on
   for (std::size_t i = 0; i < trees.size(); ++i) {
     if (!only || *only == i) visit(trees[i]);
   }
-}
-
-std::vector<VertexRay> sampleVertexRays(const Level& level, const Mesh& original,
-                                        const RaySettings& settings) {
-  std::vector<VertexRay> rays;
-  const std::size_t count = original.positions.size();
-  const std::size_t wanted = std::min<std::size_t>(std::max(settings.vertexCount, 0), count);
-  for (std::size_t i = 0; i < wanted; ++i) {
-    // At the middle of each of `wanted` equal parts of the list.
-    const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
-    rays.push_back(makeVertexRay(level.optic, level.camera.eye, original.positions[vertex],
-                                 level.sculpture.depthScale, level.sculpture.mistakes));
-  }
-  return rays;
 }
 
 // The two legs of a vertex ray, or the one that it has when it is not mapped.
@@ -199,13 +183,26 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
   return lines;
 }
 
-std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, const RaySettings& settings,
-                                     double seconds) {
+SampledRays sampleVertexRays(const Level& level, const Mesh& original, int count) {
+  SampledRays sampled;
+  sampled.straight = level.optic.kind == OpticKind::none;
+  const std::size_t all = original.positions.size();
+  const std::size_t wanted = std::min<std::size_t>(std::max(count, 0), all);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    // At the middle of each of `wanted` equal parts of the list.
+    const std::size_t vertex = (2 * i + 1) * all / (2 * wanted);
+    sampled.rays.push_back(makeVertexRay(level.optic, level.camera.eye, original.positions[vertex],
+                                         level.sculpture.depthScale, level.sculpture.mistakes));
+  }
+  return sampled;
+}
+
+std::vector<Line> makeVertexRayLines(const SampledRays& rays, const RaySettings& settings, double seconds) {
   std::vector<Line> lines;
   double travelled = travelledIn(seconds, settings);
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+  for (const VertexRay& ray : rays.rays) {
     double begin = 0;
-    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+    for (const Line& leg : legsOf(ray, settings, rays.straight)) {
       const double end = begin + glm::length(leg.to - leg.from);
       addPart(lines, leg, Stretch{begin, end}.fraction(travelled));
       begin = end;
@@ -226,10 +223,10 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
   return secondsFor(settings.sequential ? sum : most, settings);
 }
 
-double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings) {
+double vertexRayAnimationSeconds(const SampledRays& rays, const RaySettings& settings) {
   double most = 0, sum = 0;
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
-    const double length = lengthOf(legsOf(ray, settings, level.optic.kind == OpticKind::none));
+  for (const VertexRay& ray : rays.rays) {
+    const double length = lengthOf(legsOf(ray, settings, rays.straight));
     most = std::max(most, length);
     sum += length;
   }
@@ -251,13 +248,12 @@ std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const 
   return stopsAt(std::move(ways), settings);
 }
 
-std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
-                                            const RaySettings& settings) {
+std::vector<double> vertexRayAnimationStops(const SampledRays& rays, const RaySettings& settings) {
   std::vector<double> ways;
   double begin = 0;
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+  for (const VertexRay& ray : rays.rays) {
     double end = begin;
-    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+    for (const Line& leg : legsOf(ray, settings, rays.straight)) {
       end += glm::length(leg.to - leg.from);
       ways.push_back(end);
     }

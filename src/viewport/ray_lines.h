@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "anamorphosis/vertex_ray.h"
 #include "edit/display_settings.h"
 #include "geometry/mesh.h"
 #include "level/level.h"
@@ -22,21 +23,24 @@ Line rayStyle(RayKind kind);
 std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySettings& settings,
                                 std::optional<std::size_t> only, double seconds);
 
-/// The vertex rays of `settings.vertexCount` vertices of the original (in scene coordinates), evenly over its
-/// list.
-std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, const RaySettings& settings,
-                                     double seconds);
+/// Vertex rays, sampled once and asked for all that follows.
+struct SampledRays {
+  std::vector<VertexRay> rays;
+  bool straight = false;  ///< nothing bends them: there is no mirror
+};
+/// Those of `count` vertices of the original (in scene coordinates), evenly over its list.
+SampledRays sampleVertexRays(const Level& level, const Mesh& original, int count);
+std::vector<Line> makeVertexRayLines(const SampledRays& rays, const RaySettings& settings, double seconds);
 
 /// How many seconds the animation of these takes; 0 when nothing moves.
 double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings& settings,
                             std::optional<std::size_t> only);
-double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings);
+double vertexRayAnimationSeconds(const SampledRays& rays, const RaySettings& settings);
 
 /// The seconds at which a piece of a ray ends, each once and in order: where an animation that is stepped by
 /// hand stops. The first is 0.
 std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
                                        std::optional<std::size_t> only);
-std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
-                                            const RaySettings& settings);
+std::vector<double> vertexRayAnimationStops(const SampledRays& rays, const RaySettings& settings);
 
 }  // namespace anamorph

@@ -36,34 +36,28 @@ ViewPose sound(ViewPose pose) {
   return pose;
 }
 
-/// The shape's part of the block; places relative to `origin`.
-struct MirrorPacker {
-  SceneBlock& block;
+struct ShapePacker {
+  std::array<glm::vec4, maxShapeVectors>& data;
   const Point& origin;
 
-  int operator()(const PlaneMirror& plane) const {
+  void operator()(const PlaneMirror& plane) const {
     const Direction normal = planeNormal(plane);
     double longest = 0;
     for (int i = 0; i < 4; ++i) {
       const Point &a = plane.corners[i], &b = plane.corners[(i + 1) % 4];
       const Direction inward = glm::normalize(glm::cross(normal, b - a));
-      block.mirrorEdges[i] = pack(inward, glm::dot(inward, a - origin));
+      data[2 + i] = pack(inward, glm::dot(inward, a - origin));
       longest = std::max(longest, glm::length(b - a));
     }
-    block.mirror = pack(plane.corners[0] - origin);
-    block.mirrorAxis = pack(normal, longest);
-    return 1;
+    data[0] = pack(plane.corners[0] - origin);
+    data[1] = pack(normal, longest);
   }
-  int operator()(const CylinderMirror& cylinder) const {
+  void operator()(const CylinderMirror& cylinder) const {
     const Vector axis = cylinder.top - cylinder.bottom;
-    block.mirror = pack(cylinder.bottom - origin, cylinder.radius);
-    block.mirrorAxis = pack(glm::normalize(axis), glm::length(axis));
-    return 2;
+    data[0] = pack(cylinder.bottom - origin, cylinder.radius);
+    data[1] = pack(glm::normalize(axis), glm::length(axis));
   }
-  int operator()(const SphereMirror& sphere) const {
-    block.mirror = pack(sphere.centre - origin, sphere.radius);
-    return 3;
-  }
+  void operator()(const SphereMirror& sphere) const { data[0] = pack(sphere.centre - origin, sphere.radius); }
 };
 
 void packView(SceneBlock& block, const ViewportInput& input, const Point& origin, int width, int height,
@@ -111,7 +105,7 @@ void packSurroundings(SceneBlock& block, const ViewportInput& input, const Scene
   block.ground = glm::vec4(glm::dvec4(level.ground.height - measure.centre.z, ground.gridSpacing,
                                       ground.gridSpacing * (cells.x - std::floor(cells.x)),
                                       ground.gridSpacing * (cells.y - std::floor(cells.y))));
-  block.groundMaterial = pack(ground.material);
+  block.groundLook = pack(ground.material);
 }
 
 int packLights(SceneBlock& block, const Level& level, const Point& origin) {
@@ -133,12 +127,12 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
   const Material* materials[] = {&sculpture, &input.level.original.material, &rtCameraMaterial};
   const bool solidOriginal = visible.original && !visible.ghost;
   const bool mirroredOriginal = visible.original && display.originalInMirror;
-  constexpr int inMirror = 1, castsShadow = 2, castsInMirror = 4, hasWires = 8, wholeMesh = 16;
+  using F = SurfaceFlags;
   const int flags[] = {
-      visible.sculpture * (inMirror | castsShadow | castsInMirror) | visible.wires * hasWires,
-      mirroredOriginal * inMirror | solidOriginal * castsShadow |
-          (solidOriginal && mirroredOriginal) * castsInMirror,
-      visible.rtCamera * inMirror};
+      visible.sculpture * (F::inMirror | F::castsShadow | F::castsInMirror) | visible.wires * F::hasWires,
+      mirroredOriginal * F::inMirror | solidOriginal * F::castsShadow |
+          (solidOriginal && mirroredOriginal) * F::castsInMirror,
+      visible.rtCamera * F::inMirror};
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     const SurfaceSlot& slot = slots[i];
     const bool there = slot.triangles > 0;
@@ -148,7 +142,7 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
     block.surfaceLow[i] = pack(there ? slot.box.min - origin : Vector(0));
     block.surfaceHigh[i] = pack(there ? slot.box.max - origin : Vector(0));
     block.surfaceOffsets[i] = slot.first;
-    block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * wholeMesh : 0, slot.root, 0};
+    block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * F::wholeMesh : 0, slot.root, 0};
   }
 }
 
@@ -185,12 +179,21 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && camera.screenDistance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  visible.mirror = input.level.optic.kind == OpticKind::mirror && !findShapeProblem(input.level.optic.shape);
+  const Optic& optic = input.level.optic;
+  if (optic.kind == OpticKind::mirror && !findShapeProblem(optic.shape))
+    visible.mirror = shapeName(optic.shape);
   return visible;
 }
 
+std::array<glm::vec4, maxShapeVectors> packShape(const MirrorShape& shape, const Point& origin) {
+  std::array<glm::vec4, maxShapeVectors> data{};
+  std::visit(ShapePacker{data, origin}, shape);
+  return data;
+}
+
 double rtCameraSize(const Camera& camera, double sceneRadius) {
-  const double size = 0.05 * sceneRadius;
+  constexpr double step = 1.1;
+  const double size = 0.05 * std::pow(step, std::round(std::log(sceneRadius) / std::log(step)));
   return camera.screenDistance > 0 ? std::min(size, 0.6 * camera.screenDistance) : size;
 }
 
@@ -206,7 +209,8 @@ SceneMeasure measureScene(const Level& level, const Box& sculpture) {
     surface.bvh = std::make_shared<const Bvh>();
     input.surfaces.push_back(surface);
   }
-  if (!findShapeProblem(level.optic.shape)) input.optic = OpticSurface{level.optic};
+  const bool mirror = level.optic.kind == OpticKind::mirror;  // a canvas is not in the tracer's scene
+  if (mirror && !findShapeProblem(level.optic.shape)) input.optic = OpticSurface{level.optic};
   const RenderScene scene = buildScene(std::move(input));
   if (!isFinite(scene.centre)) return {};
   return {scene.centre, scene.radius, scene.epsilon};
@@ -221,13 +225,12 @@ SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measur
   packSurroundings(block, input, measure);
   packSurfaces(block, input, visible, slots, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);
-  const int mirror = visible.mirror ? std::visit(MirrorPacker{block, measure.centre}, level.optic.shape) : 0;
+  if (visible.hasMirror()) block.mirrorShape = packShape(level.optic.shape, measure.centre);
   block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);
   const int lights = packLights(block, level, measure.centre);
-  block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), mirror,
+  block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), 0,
                   level.ground.visible && !input.transparent};
-  block.options = {level.tracing.shadows, input.display.lightMarkers,
-                   visible.original ? 1 + visible.ghost : 0, 0};
+  block.options = {level.tracing.shadows, input.display.lightMarkers, 0, 0};
   return block;
 }
 
