@@ -1,10 +1,11 @@
 // What a ray meets first, as src/raytrace/scene_hit.cpp.
 #include "bvh.glsl"
+#include "leaf/marker.glsl"
+#include "leaf/shading.glsl"
+#include "leaf/ground.glsl"
 #include "mirror.glsl"
 
 uniform sampler2D normals;
-
-const int hitNothing = 0, hitMesh = 1, hitMirror = 2, hitGround = 3, hitMarker = 4;
 
 struct Hit {
   int kind;
@@ -18,11 +19,6 @@ struct Hit {
 };
 
 const Hit noHit = Hit(hitNothing, 0, 1e30, vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec2(1e30));
-
-vec3 unitOr(vec3 v, vec3 otherwise) {
-  float size = length(v);
-  return size > 0.0 && size < 1e30 ? v / size : otherwise;
-}
 
 struct Corners {
   vec3 a, b, c;
@@ -79,39 +75,27 @@ Hit meshHit(MeshHit m, Corners p, Ray ray) {
   return hit;
 }
 
-// Seen from above only; nothing where it has faded away. In radii of the scene.
-bool intersectGround(Ray ray, float tMax, out float t, out float fade) {
-  fade = 1.0;
-  float above = ray.origin.z - ground.x;
-  t = above / -ray.direction.z;
-  if (counts.w == 0 || !(above > 0.0) || !(ray.direction.z < 0.0) || !(t < tMax)) return false;
-  fade = smoothstep(1.2, 5.0, length(ray.origin.xy + t * ray.direction.xy) / sceneSize.x);
-  return fade < 1.0;
+GroundHit groundHit(Ray ray, float tMax) {
+  if (counts.w == 0) return GroundHit(false, 0.0, 1.0);
+  return intersectGround(ray.origin, ray.direction, ground.x, sceneSize.x, tMax);
 }
 
-// The ball that stands for a light, or -1.
-float intersectMarker(int light, Ray ray, float tMax) {
-  vec3 w = lightPosition[light].xyz - ray.origin;
-  float along = dot(w, ray.direction);
-  vec3 side = w - along * ray.direction;
-  float inside = sceneSize.z * sceneSize.z - dot(side, side);
-  if (inside < 0.0) return -1.0;
-  float t = along - sqrt(inside);
-  return t > 0.0 && t < tMax ? t : -1.0;
+float markerHit(int light, Ray ray, float tMax) {
+  return intersectMarker(ray.origin, ray.direction, lightPosition[light].xyz, sceneSize.z, tMax);
 }
 
 // Mirror, ground and light markers: what has a formula. `hit` stays when it is nearer.
 void findPlainHit(Ray ray, inout Hit hit) {
-  float t, fade;
-  if (intersectGround(ray, hit.t, t, fade)) {
+  GroundHit floorHit = groundHit(ray, hit.t);
+  if (floorHit.met) {
     hit = noHit;
     hit.kind = hitGround;
-    hit.t = t;
-    hit.point = vec3(ray.origin.xy + t * ray.direction.xy, ground.x);
+    hit.t = floorHit.t;
+    hit.point = vec3(ray.origin.xy + hit.t * ray.direction.xy, ground.x);
     hit.faceNormal = hit.normal = vec3(0.0, 0.0, 1.0);
-    hit.fade = fade;
+    hit.fade = floorHit.fade;
   }
-  t = intersectMirror(ray, hit.t);
+  float t = intersectMirror(ray, hit.t);
   if (t > 0.0) {
     hit = noHit;
     hit.kind = hitMirror;
@@ -121,7 +105,7 @@ void findPlainHit(Ray ray, inout Hit hit) {
   }
   if (options.y == 0) return;
   for (int i = 0; i < counts.x; ++i) {
-    t = intersectMarker(i, ray, hit.t);
+    t = markerHit(i, ray, hit.t);
     if (t < 0.0) continue;
     hit = noHit;
     hit.kind = hitMarker;
@@ -146,6 +130,5 @@ Hit findHit(Ray ray) {
 
 // Whether mirror or ground stop a ray to a light.
 bool isPlainlyBlocked(Ray ray, float tMax) {
-  float t, fade;
-  return intersectMirror(ray, tMax) > 0.0 || intersectGround(ray, tMax, t, fade);
+  return intersectMirror(ray, tMax) > 0.0 || groundHit(ray, tMax).met;
 }

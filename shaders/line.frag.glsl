@@ -14,8 +14,9 @@ const float shineThrough = 0.18;  // of a line that something is before
 
 // Dashes begin where the line does, so they do not crawl when its end moves.
 float lineDistance(vec2 p, float size) {
-  float gap = form.y < 0.5 ? 0.0 : form.y < 1.5 ? 6.0 * pixelScale + 2.0 * form.x : 4.6 * form.x;
-  float on = form.y < 0.5 ? size : form.y < 1.5 ? 8.0 * pixelScale : 0.0;
+  int style = int(form.y + 0.5);
+  float gap = style == lineSolid ? 0.0 : style == lineDashed ? 6.0 * pixelScale + 2.0 * form.x : 4.6 * form.x;
+  float on = style == lineSolid ? size : style == lineDashed ? 8.0 * pixelScale : 0.0;
   float start = gap > 0.0 ? floor((p.x + 0.5 * gap) / (on + gap)) * (on + gap) : 0.0;
   start = clamp(start, 0.0, size);
   return length(p - vec2(clamp(p.x, start, min(start + on, size)), 0.0));

@@ -3,7 +3,7 @@
 #include "camera.glsl"
 #include "texel.glsl"
 
-uniform sampler2D lines;   // from, width; to, style + 4 * arrow + 8 * inFront; display colour, alpha
+uniform sampler2D lines;   // from, width; to, style with lineArrow, lineInFront; display colour, alpha
 uniform float pixelScale;  // pixels of this picture for one of a line's width
 
 flat out vec4 ends;    // both in pixels
@@ -43,9 +43,9 @@ void main() {
   float drawn = max(halfWidth, 0.5);
   ink.a *= halfWidth / drawn;
   float arrow = 9.0 * halfWidth;
-  bool hasArrow = (kind & 4) != 0 && size > 2.5 * arrow;
+  bool hasArrow = (kind & lineArrow) != 0 && size > 2.5 * arrow;
   ends = vec4(p, q);
-  form = vec4(drawn, float(kind & 3), hasArrow ? arrow : 0.0, float((kind >> 3) & 1));
+  form = vec4(drawn, float(kind & lineStyleMask), hasArrow ? arrow : 0.0, (kind & lineInFront) != 0 ? 1.0 : 0.0);
 
   float reach = (hasArrow ? 0.4 * arrow : drawn) + 1.0;
   bool atEnd = gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4;

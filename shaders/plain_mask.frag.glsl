@@ -6,6 +6,6 @@ out vec4 mask;
 
 void main() {
   Ray ray = pixelRay(gl_FragCoord.xy);
-  float t = light < 0 ? intersectMirror(ray, 1e30) : intersectMarker(light, ray, 1e30);
+  float t = light < 0 ? intersectMirror(ray, 1e30) : markerHit(light, ray, 1e30);
   mask = vec4(t > 0.0 ? 1.0 : 0.0);
 }

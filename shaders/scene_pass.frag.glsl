@@ -3,7 +3,7 @@
 //
 // Two programs are made of this. The short one draws all pixels that see no mesh, no mirror and no place where a mesh
 // may cast a shadow, and discards the others; the other one, with TRACED, draws those. With GHOST there is a ghost,
-// with WIRES the edges of triangles can be drawn; MIRROR_KIND is that of mirror.glsl.
+// with WIRES the edges of triangles can be drawn; SHAPE is that of mirror.glsl.
 #include "shading.glsl"
 
 uniform usampler2D seen;       // triangle_id.frag.glsl: solid things
@@ -24,18 +24,10 @@ MeshHit intersectSeen(uint id, Ray ray, out Corners corners) {
   }
   if (hit.surface < 0) return hit;
   corners = cornersOf(hit.surface, hit.triangle);
-  vec3 ab = corners.b - corners.a, ac = corners.c - corners.a, toA = corners.a - ray.origin;
-  vec3 normal = cross(ab, ac), side = cross(toA, ray.direction);
-  float inverse = 1.0 / dot(normal, ray.direction);
-  hit.t = dot(normal, toA) * inverse;
-  hit.uv = vec2(dot(side, ac), -dot(side, ab)) * inverse;
-  bool inside = hit.uv.x >= 0.0 && hit.uv.y >= 0.0 && hit.uv.x + hit.uv.y <= 1.0;
-  if (!inside) {  // seen edge-on, or by a hair: a point of the triangle nearby
-    hit.uv.x = hit.uv.x >= 0.0 ? min(hit.uv.x, 1.0) : 0.0;
-    hit.uv.y = hit.uv.y >= 0.0 ? min(hit.uv.y, 1.0 - hit.uv.x) : 0.0;
-    hit.t = dot(toA + hit.uv.x * ab + hit.uv.y * ac, ray.direction);
-  }
-  if (!(hit.t > 0.0 && hit.t < 1e30)) hit.surface = -1;
+  TriangleHit here = intersectTriangle(ray.origin, ray.direction, corners.a, corners.b, corners.c);
+  hit.t = here.t;
+  hit.uv = vec2(here.u, here.v);
+  if (!here.met) hit.surface = -1;
   return hit;
 }
 
@@ -44,7 +36,7 @@ vec4 ghostColor(Hit hit, Ray ray) {
   float facing = clamp(-dot(hit.normal, ray.direction), 0.0, 1.0);
   float rim = pow(1.0 - facing, 2.5);
   float sky = 0.5 + 0.5 * hit.normal.z;
-  vec3 body = materials[2].rgb * mix(0.6, 1.25, sky);
+  vec3 body = materials[2 * originalSurface].rgb * mix(0.6, 1.25, sky);
   vec3 tint = mix(body + 0.05, vec3(0.72, 0.84, 1.0), 0.75 * rim);
   return vec4(tint, mix(0.5, 0.95, rim));
 }
@@ -89,7 +81,7 @@ void main() {
 #endif
   findPlainHit(ray, hit);
   bool empty = hit.kind == hitNothing && backgroundTop.w > 0.5;
-  vec4 result = empty ? vec4(0.0) : vec4(follow(ray, hit), 1.0);
+  vec4 result = empty ? vec4(0.0) : vec4(trace(ray, hit), 1.0);
 
   vec4 ghost = vec4(0.0);
   float ghostT = 1e30;

@@ -1,5 +1,5 @@
-// Long arrays in 2D textures, 2048 texels a row (TexelArrays of src/gl/texture.h).
+// Long arrays in 2D textures, row by row (TexelArrays of src/gl/texture.h).
 
 ivec2 texelCoord(int i) {
-  return ivec2(i & 2047, i >> 11);
+  return ivec2(i & ((1 << texelRowBits) - 1), i >> texelRowBits);
 }

@@ -41,23 +41,14 @@ double timed(const Work& work) {
   return millisecondsSince(start);
 }
 
-// The panels were laid out with the pictures as they were before this frame. Those that have been replaced
-// since are deleted, so what is drawn takes the new ones.
-void showNewPictures(const ImDrawData& data, const UiTextures& before, const UiTextures& now) {
-  const auto idOf = [](const UiTexture& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id));
-  };
-  std::map<ImTextureID, ImTextureID> replaced;
-  for (const auto member : {&UiTextures::view, &UiTextures::reflection, &UiTextures::original,
-                            &UiTextures::difference, &UiTextures::render}) {
-    if ((before.*member).id != 0) replaced[idOf(before.*member)] = idOf(now.*member);
+// What the panels have done since the editor advanced is seen in the next frame. They do nothing by themselves.
+bool wasTouched() {
+  const ImGuiIO& io = ImGui::GetIO();
+  bool touched = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0;
+  for (int button = 0; button < 3; ++button) {
+    touched = touched || ImGui::IsMouseClicked(button) || ImGui::IsMouseReleased(button);
   }
-  for (int i = 0; i < data.CmdListsCount; ++i) {
-    for (ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
-      const auto found = replaced.find(command.TextureId);
-      if (found != replaced.end()) command.TextureId = found->second;
-    }
-  }
+  return touched || !io.InputQueueCharacters.empty();
 }
 
 }  // namespace
@@ -158,7 +149,7 @@ void Gui::refreshTextures() {
 
 void Gui::drawView(double seconds, const ViewQuality* forced) {
   ViewportInput input;
-  times_.input = timed([&] { input = inputMaker_.make(*editor_, ui_, transparent_); });
+  times_.input = timed([&] { input = inputMaker_.make(*editor_, ui_, *rays_, transparent_); });
   const bool moving = !(input == lastInput_);
   secondsStill_ = moving ? 0 : secondsStill_ + seconds;
   const ImGuiIO& io = ImGui::GetIO();
@@ -184,45 +175,51 @@ void Gui::drawView(double seconds, const ViewQuality* forced) {
 
 void Gui::frame(double seconds, const ViewQuality* forced) {
   ImGui::SetCurrentContext(context_);
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = static_cast<float>(std::max(1e-4, seconds));
+  ImGui::GetIO().DeltaTime = static_cast<float>(std::max(1e-4, seconds));
   refreshLanguage();
   refreshStyle();
   const auto start = std::chrono::steady_clock::now();
-  const UiTextures shown = ui_.textures;
   ImGui_ImplOpenGL3_NewFrame();
   times_.panels = timed([&] {
     ImGui::NewFrame();
-    drawPanels(*editor_, ui_);
+    handleInput(*editor_, ui_);
   });
+  advanceAll(seconds);
+  drawView(seconds, forced);
+  refreshTextures();
+  times_.panels += timed([&] { drawPanels(*editor_, ui_); });
+  owesFrame_ = wasTouched();
   serveRequests();
+  times_.draw = timed([&] { drawLists(); });
+  ui_.frameMilliseconds = millisecondsSince(start);
+}
+
+void Gui::advanceAll(double seconds) {
   times_.advance = timed([&] { advance(*editor_, seconds); });
-  ViewInputMaker::stepRays(*editor_);
-  const double length = ViewInputMaker::animationSeconds(*editor_);
+  rays_.emplace(*editor_);
+  stepRays(*editor_, *rays_);
+  const double length = rays_->animationSeconds(editor_->rays);
   if (editor_->rays.animate && !editor_->rays.loop && editor_->animationSeconds > length) {
     editor_->animationSeconds = length;
     editor_->animationPaused = true;
   }
   renderJob_->update(editor_->updater.result(), ui_);
   exportJob_->update(*editor_, ui_);
-  drawView(seconds, forced);
-  refreshTextures();
-  drawViewOverlay(*editor_, ui_);
-  times_.draw = timed([&] {
-    ImGui::Render();
-    showNewPictures(*ImGui::GetDrawData(), shown, ui_.textures);
-    glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
-               static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
-    glClearColor(0, 0, 0, transparent_ ? 0.0f : 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  });
-  ui_.frameMilliseconds = millisecondsSince(start);
+}
+
+void Gui::drawLists() const {
+  ImGui::Render();
+  const ImGuiIO& io = ImGui::GetIO();
+  glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
+             static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
+  glClearColor(0, 0, 0, transparent_ ? 0.0f : 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 bool Gui::unfinished() const {
-  return isMoving(*editor_) || !viewComplete() || editor_->updater.busy() || editor_->job.busy() ||
-         ui_.render.running || ui_.exporting.running;
+  return owesFrame_ || isMoving(*editor_) || !viewComplete() || editor_->updater.busy() ||
+         editor_->job.busy() || ui_.render.running || ui_.exporting.running;
 }
 
 void Gui::key(int key, int modifiers, bool repeated) {

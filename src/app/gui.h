@@ -1,12 +1,13 @@
 // All of a window but the window: Dear ImGui, the editor, the panels, the 3D view, drawn into whatever
 // framebuffer is bound. The real window, screenshots, the benchmark and tests run the same frame().
 //
-//   mouse, keys --> panels (edits) --> editor advances --> 3D view --> overlay --> picture
-//                   the session        live step, in the same frame
+//   mouse in the view --> editor advances --> 3D view --> panels and overlay --> picture
+//   edits the session     live step           is drawn    show all that is new; what they edit is in the next frame
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,7 +77,9 @@ class Gui {
   void refreshTextures();
   void loadThumbnails();
   void serveRequests();
+  void advanceAll(double seconds);
   void drawView(double seconds, const ViewQuality* forced);
+  void drawLists() const;
 
   ImGuiContext* context_;
   UiState ui_;
@@ -85,6 +88,7 @@ class Gui {
   std::unique_ptr<RenderJob> renderJob_;
   std::unique_ptr<ExportJob> exportJob_;
   ViewInputMaker inputMaker_;
+  std::optional<ShownRays> rays_;  // of this frame
   ViewportInput lastInput_;
   ImageTexture reflection_, original_, difference_, render_;
   std::map<std::string, ImageTexture> thumbnails_;
@@ -95,7 +99,8 @@ class Gui {
   std::optional<std::string> language_;  // that is in force
   bool transparent_ = false;
   bool software_;
-  bool fine_ = false;  // the view was last drawn in its final quality
+  bool owesFrame_ = false;  // the panels may have changed something
+  bool fine_ = false;       // the view was last drawn in its final quality
   QualityGovernor governor_;
   double secondsStill_ = 0, secondsHandsOff_ = 1;
   GpuTimer timer_;

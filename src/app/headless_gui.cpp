@@ -106,7 +106,7 @@ void HeadlessGui::holdModifiers(int modifiers) {
 }
 
 Bitmap HeadlessGui::readBack() const {
-  return anamorph::readBack(framebuffer_);
+  return {width(), height(), 4, framebuffer_.readPixels()};
 }
 
 }  // namespace anamorph

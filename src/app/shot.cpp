@@ -5,11 +5,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include "base/error.h"
 #include "base/language.h"
+#include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "level/limits.h"
 
@@ -54,18 +54,6 @@ class Undisturbed {
 };
 
 }  // namespace
-
-Bitmap readBack(const Framebuffer& target) {
-  const int w = target.width(), h = target.height();
-  Bitmap bitmap{w, h, 4, std::vector<std::uint8_t>(std::size_t{4} * w * h)};
-  target.bind();
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  const std::size_t stride = std::size_t{4} * w;
-  for (int y = 0; y < h; ++y) {
-    glReadPixels(0, h - 1 - y, w, 1, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data() + y * stride);
-  }
-  return bitmap;
-}
 
 void divideByAlpha(Bitmap& bitmap) {
   for (std::size_t i = 0; i < bitmap.bytes.size(); i += 4) {
@@ -116,7 +104,7 @@ Bitmap takeShot(Gui& gui, const ShotRequest& request) {
     target.bind();
     gui.frame(1e-4, i + 1 < layoutFrames ? nullptr : &best);
   }
-  Bitmap bitmap = readBack(target);
+  Bitmap bitmap{target.width(), target.height(), 4, target.readPixels()};
   if (!request.transparent) return withoutAlpha(bitmap);
   divideByAlpha(bitmap);
   return bitmap;

@@ -3,12 +3,8 @@
 #pragma once
 
 #include "app/gui.h"
-#include "gl/framebuffer.h"
 
 namespace anamorph {
-
-/// What `target` holds, RGBA, first row at the top.
-Bitmap readBack(const Framebuffer& target);
 
 /// Colours that were drawn over nothing were multiplied by alpha: undoes it.
 void divideByAlpha(Bitmap& bitmap);

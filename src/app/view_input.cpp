@@ -8,7 +8,6 @@
 #include "viewport/camera_lines.h"
 #include "viewport/canvas_lines.h"
 #include "viewport/construction_lines.h"
-#include "viewport/ray_lines.h"
 
 namespace anamorph {
 namespace {
@@ -23,81 +22,50 @@ std::optional<std::size_t> treeOf(const Editor& editor) {
   return static_cast<std::size_t>(editor.cell->row) * columns + editor.cell->column;
 }
 
-// Which rays are shown: those of one pixel when one is picked, else as the settings say.
-enum class Shown { none, trees, vertices };
-
-Shown shownRays(const Editor& editor) {
-  const LevelResult& result = editor.updater.result();
-  if (!editor.rays.show || result.problem || !result.original.mesh) return Shown::none;
-  if (editor.cell || editor.rays.source == RaySource::pixels)
-    return result.trees ? Shown::trees : Shown::none;
-  return editor.point ? Shown::none : Shown::vertices;  // the picked vertex has its construction
-}
-
 // Where a looped animation is.
-double playTime(const Editor& editor) {
-  const double length = ViewInputMaker::animationSeconds(editor), pause = 0.8;
+double playTime(const Editor& editor, const ShownRays& rays) {
+  const double length = rays.animationSeconds(editor.rays), pause = 0.8;
   if (!editor.rays.loop || !(length > 0)) return editor.animationSeconds;
   return std::fmod(editor.animationSeconds, length + pause);
 }
 
 }  // namespace
 
-std::vector<Line> makeLines(const Editor& editor, const UiState& ui) {
-  std::vector<Line> lines;
+ShownRays::ShownRays(const Editor& editor) {
   const LevelResult& result = editor.updater.result();
-  const Level& level = result.level;
-  if (editor.display.rtCamera) {
-    const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
-    append(lines, makeCameraLines(level.camera, level.grid, selected, editor.cell ? editor.cell : ui.hoveredCell,
-                                  editor.pose.eye));
+  if (!editor.rays.show || result.problem || !result.original.mesh) return;
+  if (editor.cell || editor.rays.source == RaySource::pixels) {
+    trees_ = result.trees;
+    tree_ = treeOf(editor);
+  } else if (!editor.point) {  // the picked vertex has its construction
+    vertexRays_ = sampleVertexRays(makeVertexMap(result.level), *result.original.mesh, editor.rays.vertexCount);
   }
-  // From the eye the canvas would lie over what is seen in it.
-  if (!editor.lookingThrough)
-    append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
-  switch (shownRays(editor)) {
-    case Shown::trees:
-      append(lines, makeTreeLines(*result.trees, editor.rays, treeOf(editor), playTime(editor)));
-      break;
-    case Shown::vertices:
-      append(lines, makeVertexRayLines(level, *result.original.mesh, editor.rays, playTime(editor)));
-      break;
-    case Shown::none:
-      break;
-  }
-  if (const auto construction = currentConstruction(editor))
-    append(lines, makeConstructionLines(*construction));
-  return lines;
 }
 
-double ViewInputMaker::animationSeconds(const Editor& editor) {
-  const LevelResult& result = editor.updater.result();
-  switch (shownRays(editor)) {
-    case Shown::trees:
-      return treeAnimationSeconds(*result.trees, editor.rays, treeOf(editor));
-    case Shown::vertices:
-      return vertexRayAnimationSeconds(result.level, *result.original.mesh, editor.rays);
-    case Shown::none:
-      break;
-  }
-  return 0;
+std::vector<Line> ShownRays::lines(const RaySettings& settings, double seconds) const {
+  return trees_ ? makeTreeLines(*trees_, settings, tree_, seconds)
+                : makeVertexRayLines(vertexRays_, settings, seconds);
 }
 
-void ViewInputMaker::stepRays(Editor& editor) {
+double ShownRays::animationSeconds(const RaySettings& settings) const {
+  return trees_ ? treeAnimationSeconds(*trees_, settings, tree_)
+                : vertexRayAnimationSeconds(vertexRays_, settings);
+}
+
+std::vector<double> ShownRays::stops(const RaySettings& settings) const {
+  return trees_ ? treeAnimationStops(*trees_, settings, tree_)
+                : vertexRayAnimationStops(vertexRays_, settings);
+}
+
+void stepRays(Editor& editor, const ShownRays& rays) {
   const int step = std::exchange(editor.rayStep, 0);
   if (step == 0 || !editor.rays.show) return;
   // Step by step makes sense one ray after the other only.
   if (!editor.rays.animate || !editor.rays.sequential) editor.animationSeconds = 0;
   editor.rays.animate = editor.rays.sequential = editor.animationPaused = true;
-  const LevelResult& result = editor.updater.result();
-  std::vector<double> stops{0};
-  if (shownRays(editor) == Shown::trees)
-    stops = treeAnimationStops(*result.trees, editor.rays, treeOf(editor));
-  if (shownRays(editor) == Shown::vertices) {
-    stops = vertexRayAnimationStops(result.level, *result.original.mesh, editor.rays);
-  }
+  const std::vector<double> stops = rays.stops(editor.rays);
   constexpr double same = 1e-6;
-  const double now = playTime(editor);
+  const double now = playTime(editor, rays);
   if (step > 0) {
     const auto next = std::upper_bound(stops.begin(), stops.end(), now + same);
     editor.animationSeconds = next == stops.end() ? stops.back() : *next;
@@ -107,9 +75,27 @@ void ViewInputMaker::stepRays(Editor& editor) {
   }
 }
 
-ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, bool transparent) {
+std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays) {
+  const LevelScene& level = editor.updater.result().level;
+  std::vector<Line> lines;
+  if (editor.display.rtCamera) {
+    const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
+    append(lines, makeCameraLines(level.camera, level.grid, selected, editor.cell ? editor.cell : ui.hoveredCell,
+                                  editor.pose.eye));
+  }
+  // From the eye the canvas would lie over what is seen in it.
+  if (!editor.lookingThrough)
+    append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
+  append(lines, rays.lines(editor.rays, playTime(editor, rays)));
+  if (const auto& construction = currentConstruction(editor))
+    append(lines, makeConstructionLines(*construction));
+  return lines;
+}
+
+ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const ShownRays& rays,
+                                   bool transparent) {
   const LevelResult& result = editor.updater.result();
-  std::vector<Line> lines = makeLines(editor, ui);
+  std::vector<Line> lines = makeLines(editor, ui, rays);
   if (!lines_ || *lines_ != lines) lines_ = std::make_shared<const std::vector<Line>>(std::move(lines));
   ViewportInput input;
   input.width = editor.viewWidth;

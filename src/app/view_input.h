@@ -1,26 +1,48 @@
 // From the editor to what the 3D view draws: a value, made anew every frame and compared.
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <vector>
+
 #include "edit/editor.h"
 #include "panels/ui_state.h"
-#include "viewport/viewport.h"
+#include "viewport/ray_lines.h"
+#include "viewport/viewport_input.h"
 
 namespace anamorph {
 
+/// The rays that are shown in a frame, sampled once: all lines of one pixel when one is picked, else as the settings
+/// say; none where there is no sculpture.
+class ShownRays {
+ public:
+  explicit ShownRays(const Editor& editor);
+
+  /// As they are after `seconds` of the animation.
+  std::vector<Line> lines(const RaySettings& settings, double seconds) const;
+  /// Seconds that the animation takes from start to end; 0 when nothing is animated.
+  double animationSeconds(const RaySettings& settings) const;
+  /// Where an animation that is stepped by hand stops.
+  std::vector<double> stops(const RaySettings& settings) const;
+
+ private:
+  std::shared_ptr<const std::vector<RayTree>> trees_;  // null: vertex rays are shown, or nothing
+  std::optional<std::size_t> tree_;                    // alone
+  std::vector<VertexRay> vertexRays_;
+};
+
+/// Takes the step that editor.rayStep asks for: pauses the animation where the next or the last piece ends.
+void stepRays(Editor& editor, const ShownRays& rays);
+
+/// All lines of the view: rays, RT camera, construction.
+std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays);
+
 class ViewInputMaker {
  public:
-  ViewportInput make(Editor& editor, const UiState& ui, bool transparent);
-
-  /// Seconds that the rays' animation takes from start to end; 0 when nothing is animated.
-  static double animationSeconds(const Editor& editor);
-  /// Takes the step that work.rayStep asks for: pauses the animation where the next or the last piece ends.
-  static void stepRays(Editor& editor);
+  ViewportInput make(Editor& editor, const UiState& ui, const ShownRays& rays, bool transparent);
 
  private:
   std::shared_ptr<const std::vector<Line>> lines_;  // the last ones: the same lines keep their pointer
 };
-
-/// All lines of the view: rays, RT camera, construction.
-std::vector<Line> makeLines(const Editor& editor, const UiState& ui);
 
 }  // namespace anamorph

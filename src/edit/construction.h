@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "anamorphosis/vertex_ray.h"
+#include "pipeline/memo.h"
 
 namespace anamorph {
 
@@ -55,5 +56,19 @@ struct Construction {
 
 /// Everything finite, whatever became of the ray.
 Construction makeConstruction(const VertexMap& map, const Point& original);
+
+/// A construction, kept as long as nothing changes that it shows.
+class ConstructionStage {
+ public:
+  const std::optional<Construction>& at(const VertexMap& map, const Point& original);
+
+ private:
+  struct Input {
+    VertexMap map;
+    Point original;
+    bool operator==(const Input&) const = default;
+  };
+  Memo<Input, std::optional<Construction>> memo_;
+};
 
 }  // namespace anamorph

@@ -170,12 +170,13 @@ Box boxOf(const Editor& editor, const Selection& selection) {
   return box;
 }
 
-std::optional<Construction> currentConstruction(const Editor& editor) {
+const std::optional<Construction>& currentConstruction(Editor& editor) {
+  static const std::optional<Construction> none;
   const LevelResult& result = editor.updater.result();
-  if (!editor.point || !result.original.mesh) return std::nullopt;
-  if (!isOn(*result.original.mesh, *editor.point)) return std::nullopt;
-  if (findShapeProblem(result.level.optic.shape())) return std::nullopt;
-  return makeConstruction(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
+  if (!editor.point || !result.original.mesh) return none;
+  if (!isOn(*result.original.mesh, *editor.point)) return none;
+  if (findShapeProblem(result.level.optic.shape())) return none;
+  return editor.construction.at(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {

@@ -66,6 +66,7 @@ struct Editor {
   std::map<std::filesystem::path, Level> leftLevels;
 
   MorphStage morph;
+  ConstructionStage construction;
 
   LessonRun lesson;
   LessonProgress progress;
@@ -108,7 +109,7 @@ Box boxOf(const Editor& editor, const Selection& selection);
 
 /// The vertex ray of the picked point in the level as it is; nothing when none is picked or nothing is there
 /// yet.
-std::optional<Construction> currentConstruction(const Editor& editor);
+const std::optional<Construction>& currentConstruction(Editor& editor);
 
 /// What the 3D view shows as sculpture: the sculpture, or a state on the way to it (display.morph).
 PreparedSculpture shownSculpture(Editor& editor);

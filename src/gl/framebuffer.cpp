@@ -1,5 +1,6 @@
 #include "gl/framebuffer.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -55,6 +56,22 @@ Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept {
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, name_);
   glViewport(0, 0, width_, height_);
+}
+
+std::vector<std::uint8_t> Framebuffer::readPixels() const {
+  const std::size_t rowBytes = std::size_t{4} * static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> bytes(rowBytes * static_cast<std::size_t>(height_));
+  if (bytes.empty()) return bytes;
+  const SavedTarget saved;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, name_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  // OpenGL's first row is the lowest one.
+  std::uint8_t *upper = bytes.data(), *lower = upper + bytes.size() - rowBytes;
+  for (; upper < lower; upper += rowBytes, lower -= rowBytes)
+    std::swap_ranges(upper, upper + rowBytes, lower);
+  return bytes;
 }
 
 SavedTarget::SavedTarget() {

@@ -23,6 +23,9 @@ class Framebuffer {
   /// Draws into it from now on, over its whole size.
   void bind() const;
 
+  /// The first colour texture as bytes, RGBA, the first row at the top.
+  std::vector<std::uint8_t> readPixels() const;
+
   const Texture& color(std::size_t i = 0) const { return colors_[i]; }
   const Texture& depth() const { return depth_; }
   int width() const { return width_; }

@@ -28,7 +28,8 @@ const char* preamble(Dialect dialect) {
 // `#line N F`: the next line is line N of file F.
 class Assembler {
  public:
-  Assembler(std::filesystem::path folder, ShaderText& result) : folder_(std::move(folder)), result_(result) {}
+  Assembler(std::filesystem::path folder, const ShaderOptions& options, ShaderText& result)
+      : folder_(std::move(folder)), options_(options), result_(result) {}
 
   void add(const std::string& name) {
     const std::filesystem::path path = folder_ / name;
@@ -40,12 +41,12 @@ class Assembler {
       result_.text += "#line " + std::to_string(line) + ' ' + std::to_string(number) + '\n';
     };
     here(1);
-    static const std::regex include(R"re(\s*#include\s+"([^"]+)"\s*)re");
+    static const std::regex include(R"re(\s*#include\s+(?:"([^"]+)"|(\w+))\s*)re");
     std::smatch match;
     int lineNumber = 1;
     for (std::string line; std::getline(source, line); ++lineNumber) {
       if (std::regex_match(line, match, include)) {
-        add(match[1]);
+        add(match[1].matched ? match[1].str() : chosen(match[2], path));
         here(lineNumber + 1);
       } else {
         result_.text += line + '\n';
@@ -54,7 +55,14 @@ class Assembler {
   }
 
  private:
+  const std::string& chosen(const std::string& name, const std::filesystem::path& path) const {
+    const auto found = options_.includes.find(name);
+    if (found == options_.includes.end()) throw Error("no file is given for #include " + name, path.string());
+    return found->second;
+  }
+
   std::filesystem::path folder_;
+  const ShaderOptions& options_;
   ShaderText& result_;
 };
 
@@ -105,10 +113,10 @@ GLuint compile(const ShaderText& text, ShaderStage stage, std::string& problem) 
   return 0;
 }
 
-GLuint compileFile(const std::string& name, ShaderStage stage, const std::vector<std::string>& defines) {
+GLuint compileFile(const std::string& name, ShaderStage stage, const ShaderOptions& options) {
   const std::filesystem::path folder = resourceFolder() / "shaders";
   std::string problem;
-  const GLuint shader = compile(loadShaderText(folder, name, Dialect::desktop, defines), stage, problem);
+  const GLuint shader = compile(loadShaderText(folder, name, Dialect::desktop, options), stage, problem);
   if (shader == 0) throw Error("the shader does not compile: " + problem, (folder / name).string());
   return shader;
 }
@@ -116,10 +124,11 @@ GLuint compileFile(const std::string& name, ShaderStage stage, const std::vector
 }  // namespace
 
 ShaderText loadShaderText(const std::filesystem::path& folder, const std::string& name, Dialect dialect,
-                          const std::vector<std::string>& defines) {
+                          const ShaderOptions& options) {
   ShaderText result{preamble(dialect), {}};
-  for (const std::string& define : defines) result.text += "#define " + define + '\n';
-  Assembler(folder, result).add(name);
+  for (const std::string& define : options.defines) result.text += "#define " + define + '\n';
+  result.text += options.prelude;
+  Assembler(folder, options, result).add(name);
   return result;
 }
 
@@ -130,9 +139,9 @@ std::string compileProblem(const ShaderText& text, ShaderStage stage) {
 }
 
 ShaderProgram::ShaderProgram(const std::string& vertexFile, const std::string& fragmentFile,
-                             const std::vector<std::string>& defines) {
-  const GLuint vertex = compileFile(vertexFile, ShaderStage::vertex, {});
-  const GLuint fragment = compileFile(fragmentFile, ShaderStage::fragment, defines);
+                             const ShaderOptions& options) {
+  const GLuint vertex = compileFile(vertexFile, ShaderStage::vertex, options);
+  const GLuint fragment = compileFile(fragmentFile, ShaderStage::fragment, options);
   name_ = glCreateProgram();
   for (const GLuint shader : {vertex, fragment}) {
     glAttachShader(name_, shader);

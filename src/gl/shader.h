@@ -1,10 +1,12 @@
 // Shader programs from the files of shaders/. A file may say `#include "other.glsl"` (each file comes in
-// once); the version line and precisions are put in front, so one source serves OpenGL 3.3 and OpenGL ES 3.0.
-// Complaints of the compiler are told with the file and the line of that file.
+// once), or `#include NAME` when whoever makes the program chooses the file. The version line, precisions and what
+// the caller gives are put in front, so one source serves OpenGL 3.3 and OpenGL ES 3.0. Complaints of the compiler
+// are told with the file and the line of that file.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,16 @@ struct ShaderText {
   std::vector<std::filesystem::path> files;
 };
 
-/// Reads `folder`/`name` and what it includes. `defines` are texts to #define. Throws Error for a missing
-/// file.
+/// What a program is made with, beside its files.
+struct ShaderOptions {
+  std::string prelude;                          ///< GLSL in front of everything
+  std::vector<std::string> defines;             ///< texts to #define
+  std::map<std::string, std::string> includes;  ///< which file `#include NAME` is
+};
+
+/// Reads `folder`/`name` and what it includes. Throws Error for a missing file.
 ShaderText loadShaderText(const std::filesystem::path& folder, const std::string& name, Dialect dialect,
-                          const std::vector<std::string>& defines = {});
+                          const ShaderOptions& options = {});
 
 /// What the compiler says with the numbers of files replaced by their names; empty when all is well. `text`
 /// need not be from a file.
@@ -36,9 +44,9 @@ std::string compileProblem(const ShaderText& text, ShaderStage stage);
 class ShaderProgram {
  public:
   ShaderProgram() = default;
-  /// From two files of resourceFolder()/shaders; `defines` are for the fragment shader. Throws Error.
+  /// From two files of resourceFolder()/shaders. Throws Error.
   ShaderProgram(const std::string& vertexFile, const std::string& fragmentFile,
-                const std::vector<std::string>& defines = {});
+                const ShaderOptions& options = {});
   ~ShaderProgram();
   ShaderProgram(ShaderProgram&& other) noexcept;
   ShaderProgram& operator=(ShaderProgram&& other) noexcept;

@@ -41,10 +41,10 @@ class Texture {
 };
 
 /// Several arrays of texels in one texture, each beginning on a row of its own. Texel i of the whole lies at
-/// (i % 2048, i / 2048); shaders/texel.glsl says the same.
+/// (i % rowLength, i / rowLength); shaders/texel.glsl says the same.
 class TexelArrays {
  public:
-  static constexpr int rowLength = 2048;
+  static constexpr int rowBits = 11, rowLength = 1 << rowBits;
 
   TexelArrays(TexelFormat format, std::size_t count) : format_(format), parts_(count) {}
 

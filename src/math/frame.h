@@ -10,6 +10,8 @@ struct Frame {
   Direction right{1, 0, 0};
   Direction up{0, 1, 0};
   Direction forward{0, 0, -1};
+
+  bool operator==(const Frame&) const = default;
 };
 
 /// A direction perpendicular to `d`, chosen so that it depends smoothly on d almost everywhere.

@@ -125,8 +125,7 @@ void menus(Editor& editor, UiState& ui) {
   }
 }
 
-void rightEnd(Editor& editor, UiState& ui) {
-  const MatchScore score = matchScore(editor.updater.result());
+void rightEnd(Editor& editor, UiState& ui, const MatchScore& score) {
   const std::string text = scoreText(score);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;
@@ -147,7 +146,7 @@ void rightEnd(Editor& editor, UiState& ui) {
 
 }  // namespace
 
-void drawMenuBar(Editor& editor, UiState& ui) {
+void drawMenuBar(Editor& editor, UiState& ui, const MatchScore& score) {
   const Rect& rect = ui.layout.menu;
   if (rect.empty()) return;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -164,7 +163,7 @@ void drawMenuBar(Editor& editor, UiState& ui) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);  // of the menus that open, not of the bar
     menus(editor, ui);
     ImGui::PopStyleVar();
-    rightEnd(editor, ui);
+    rightEnd(editor, ui, score);
     ImGui::EndMenuBar();
   }
   ImGui::End();

@@ -58,9 +58,20 @@ void drawSplitters(UiState& ui) {
   }
 }
 
+// A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back all of it:
+// the field itself would only write the digits that it had shown.
+void finishChange(Editor& editor, const UiState& ui) {
+  if (!editor.session.changing() || ui.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
+    editor.session.cancelChange();
+  } else {
+    editor.session.finishChange();
+  }
+}
+
 }  // namespace
 
-void drawPanels(Editor& editor, UiState& ui) {
+void handleInput(Editor& editor, UiState& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
@@ -68,12 +79,16 @@ void drawPanels(Editor& editor, UiState& ui) {
                           ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size())});
   updateKeyFocus(ui);
   updateHighlight(editor, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
-  drawViewPanel(editor, ui);
-  drawMenuBar(editor, ui);
+  handleView(editor, ui);
+}
+
+void drawPanels(Editor& editor, UiState& ui) {
+  const MatchScore score = matchScore(editor.updater.result());
+  drawMenuBar(editor, ui, score);
   drawLevelPanel(editor, ui);
   drawLessonPanel(editor, ui);
   drawPropertiesPanel(editor, ui);
-  drawPreviewPanel(editor, ui);
+  drawPreviewPanel(editor, ui, score);
   drawStatusLine(editor, ui);
   drawSplitters(ui);
   drawRenderWindow(editor, ui);
@@ -83,14 +98,8 @@ void drawPanels(Editor& editor, UiState& ui) {
   drawPresenter(editor, ui);
   drawTour(editor, ui);
   drawDialogs(editor, ui);
-  // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back
-  // all of it: the field itself would only write the digits that it had shown.
-  if (!editor.session.changing() || ui.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-    editor.session.cancelChange();
-  } else {
-    editor.session.finishChange();
-  }
+  finishChange(editor, ui);
+  drawView(editor, ui);
 }
 
 }  // namespace anamorph

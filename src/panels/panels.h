@@ -3,22 +3,26 @@
 #pragma once
 
 #include "edit/editor.h"
+#include "panels/match_score.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
 
-/// All panels in their places, and the mouse in the 3D view. What was changed is in the session afterwards.
+/// A frame begins: where everything is, and what mouse and keys do in the 3D view. The editor advances afterwards,
+/// so that what is dragged in the view is seen there in the same frame.
+void handleInput(Editor& editor, UiState& ui);
+
+/// All panels in their places, with what the editor has made, and what lies over the 3D view. What is changed in
+/// them is in the session afterwards, and seen in the next frame.
 void drawPanels(Editor& editor, UiState& ui);
 
-/// What lies over the 3D view and has to be as new as it: gizmo, labels, axes, legend, messages. To be called
-/// after the editor has advanced, in the same frame.
-void drawViewOverlay(Editor& editor, UiState& ui);
-
-void drawMenuBar(Editor& editor, UiState& ui);
+/// The 3D view's picture and what lies over it: gizmo, labels, axes, legend, messages.
+void drawView(Editor& editor, UiState& ui);
+void drawMenuBar(Editor& editor, UiState& ui, const MatchScore& score);
 void drawLevelPanel(Editor& editor, UiState& ui);
 void drawLessonPanel(Editor& editor, UiState& ui);
 void drawPropertiesPanel(Editor& editor, UiState& ui);
-void drawPreviewPanel(Editor& editor, UiState& ui);
+void drawPreviewPanel(Editor& editor, UiState& ui, const MatchScore& score);
 void drawStatusLine(Editor& editor, UiState& ui);
 void drawHelpWindow(Editor& editor, UiState& ui);
 void drawRenderWindow(Editor& editor, UiState& ui);

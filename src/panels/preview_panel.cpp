@@ -165,7 +165,7 @@ void sizeAndRender(Editor& editor, UiState& ui) {
 
 }  // namespace
 
-void drawPreviewPanel(Editor& editor, UiState& ui) {
+void drawPreviewPanel(Editor& editor, UiState& ui, const MatchScore& score) {
   if (!beginPanel("preview", ui.layout.preview, true, false)) {
     ui.hoveredCell.reset();
     return;
@@ -174,7 +174,6 @@ void drawPreviewPanel(Editor& editor, UiState& ui) {
   if (segmentedControl("tabs", tab, {"Reflection", "Original", "Difference", "Wipe"}, 4)) {
     editor.preview.tab = static_cast<PreviewTab>(tab);
   }
-  const MatchScore score = matchScore(editor.updater.result());
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
   const bool parts = havePartsRoom(ui, score, room);

@@ -73,7 +73,7 @@ void resultRows(const Editor& editor) {
 }
 
 void constructionRows(Editor& editor, const UiState& ui) {
-  const auto construction = currentConstruction(editor);
+  const auto& construction = currentConstruction(editor);
   if (!construction) {
     quietText(
         ui,

@@ -1,9 +1,10 @@
-// What lies over the 3D view: the frame of the RT camera's image, the gizmo, labels of the construction,
+// The 3D view's picture and what lies over it: the frame of the RT camera's image, the gizmo, labels of the construction,
 // axes.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -194,17 +195,26 @@ void drawImageFrame(const Ink& ink, const Editor& editor, const Rect& rect) {
   list.AddRect({cx - w, cy - h}, {cx + w, cy + h}, IM_COL32(255, 255, 255, 150), 0, 0, 1.2f * ink.scale());
 }
 
+void drawPicture(const UiTexture& picture, const Rect& rect) {
+  if (picture.id == 0) return;
+  const float top = picture.bottomUp ? 1.0f : 0.0f;
+  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.id)),
+                                       {rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height},
+                                       {0, top}, {1, 1 - top});
+}
+
 }  // namespace
 
-void drawViewOverlay(Editor& editor, UiState& ui) {
+void drawView(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.view;
   if (rect.empty()) return;
   ImGui::Begin("view");
+  drawPicture(ui.textures.view, rect);
   const Ink ink(editor, ui);
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
-  if (const auto construction = currentConstruction(editor)) drawConstruction(ink, *construction);
+  if (const auto& construction = currentConstruction(editor)) drawConstruction(ink, *construction);
   drawGizmo(ink, emphasised(currentGizmo(editor, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();

@@ -184,19 +184,12 @@ void endViewDrag(Editor& editor, UiState& ui, bool keep) {
   ui.viewDrag = ViewDrag::none;
 }
 
-void drawViewPanel(Editor& editor, UiState& ui) {
+void handleView(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.view;
   if (!rect.empty()) ImGui::SetNextWindowBgAlpha(0);  // the picture is all of it, and may be transparent
   if (!beginPanel("view", rect, false, false)) return;
   editor.viewWidth = std::max(1, static_cast<int>(rect.width));
   editor.viewHeight = std::max(1, static_cast<int>(rect.height));
-  const UiTexture& picture = ui.textures.view;
-  if (picture.id != 0) {
-    const float top = picture.bottomUp ? 1.0f : 0.0f;
-    ImGui::GetWindowDrawList()->AddImage(
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.id)), {rect.x, rect.y},
-        {rect.x + rect.width, rect.y + rect.height}, {0, top}, {1, 1 - top});
-  }
   ImGui::SetCursorScreenPos({rect.x, rect.y});
   ImGui::InvisibleButton("3d", {rect.width, rect.height},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

@@ -1,4 +1,4 @@
-// The 3D view's picture and the mouse in it: orbit, pan, zoom, pick, drag a gizmo's handle.
+// The mouse in the 3D view: orbit, pan, zoom, pick, drag a gizmo's handle.
 #pragma once
 
 #include "edit/editor.h"
@@ -6,8 +6,8 @@
 
 namespace anamorph {
 
-/// Shows the picture of the view and does what the mouse asks for.
-void drawViewPanel(Editor& editor, UiState& ui);
+/// Does what the mouse asks for in the view.
+void handleView(Editor& editor, UiState& ui);
 
 /// The gizmo of the selection as it is; empty when there is none, or when the view is the RT camera's and the
 /// gizmo would be its own.

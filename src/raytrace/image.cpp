@@ -6,21 +6,20 @@
 #include <glm/common.hpp>
 
 #include "base/check.h"
+#include "raytrace/look.h"
 
 namespace anamorph {
 namespace {
 
-constexpr float shoulderStart = 0.75f;
-
 float shoulder(float x) {
-  constexpr float room = 1 - shoulderStart;
-  return x <= shoulderStart ? x : shoulderStart + room * (1 - std::exp(-(x - shoulderStart) / room));
+  constexpr float start = look::shoulderStart, room = 1 - start;
+  return x <= start ? x : start + room * (1 - std::exp(-(x - start) / room));
 }
 
 // Light of this strength comes out of the shoulder as `y` < 1.
 double beforeShoulder(double y) {
-  constexpr double room = 1 - shoulderStart;
-  return y <= shoulderStart ? y : shoulderStart - room * std::log(1 - (y - shoulderStart) / room);
+  constexpr double start = look::shoulderStart, room = 1 - start;
+  return y <= start ? y : start - room * std::log(1 - (y - start) / room);
 }
 
 }  // namespace

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raytrace/look.h"
+
 namespace anamorph {
 namespace {
-
-// In radii of the scene, measured along the ground.
-constexpr double fadeStart = 1.2, fadeEnd = 5;
 
 double smoothStep(double from, double to, double x) {
   const double s = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -23,7 +22,7 @@ std::optional<SceneHit> intersectGround(const RenderScene& scene, const Ray& ray
   SceneHit hit{{ObjectKind::ground, 0}, t, ray.at(t), {0, 0, 1}, {0, 0, 1}, 0};
   hit.point.z = scene.input.ground->height;
   const double away = std::hypot(hit.point.x - scene.centre.x, hit.point.y - scene.centre.y) / scene.radius;
-  hit.groundFade = smoothStep(fadeStart, fadeEnd, away);
+  hit.groundFade = smoothStep(look::fadeStart, look::fadeEnd, away);
   if (!(hit.groundFade < 1)) return std::nullopt;
   return hit;
 }

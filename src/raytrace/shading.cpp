@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raytrace/look.h"
+
 namespace anamorph {
 namespace {
 
@@ -45,18 +47,17 @@ Color phongResponse(const Material& material, const SceneHit& hit, const Directi
 Material groundMaterial(const Ground& ground, const Point& point, double footprint) {
   Material material = ground.material;
   if (!(ground.gridSpacing > 0)) return material;
-  constexpr double width = 0.018, darkening = 0.28;
   const Point cell = point / ground.gridSpacing;
   const double pixel = footprint / ground.gridSpacing;
-  const double line = std::max(lineCoverage(cell.x, width, pixel), lineCoverage(cell.y, width, pixel));
-  material.color *= 1 - darkening * line;
+  const double line = std::max(lineCoverage(cell.x, look::gridLineWidth, pixel),
+                               lineCoverage(cell.y, look::gridLineWidth, pixel));
+  material.color *= 1 - look::gridDarkening * line;
   return material;
 }
 
 double mirrorRim(const Shape& shape, const Point& point, double cosine) {
-  constexpr double edgeOnCosine = 0.22, borderWidth = 0.006;
-  const double edgeOn = 1 - cosine / edgeOnCosine;
-  const double border = 2 - 2 * borderDistance(shape, point) / borderWidth;
+  const double edgeOn = 1 - cosine / look::rimCosine;
+  const double border = 2 - 2 * borderDistance(shape, point) / look::rimBorder;
   const double rim = std::clamp(std::max(edgeOn, border), 0.0, 1.0);
   return rim * rim * (3 - 2 * rim);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "raytrace/look.h"
 #include "raytrace/scene_hit.h"
 #include "raytrace/shading.h"
 
@@ -85,17 +86,17 @@ class Tracer {
     const OpticHit met{{hit.t, hit.point, hit.normal}, static_cast<std::size_t>(hit.object.index)};
     const Direction out = glm::normalize(interact(surface.optic, passage.ray, met).direction);
     const double cosine = std::abs(glm::dot(passage.ray.direction, hit.normal));
-    const double rim = rimStrength * mirrorRim(surface.optic.parts[met.part].shape, hit.point, cosine);
+    const double rim = look::rimStrength * mirrorRim(surface.optic.parts[met.part].shape, hit.point, cosine);
     const Color factor = (1 - rim) * surface.reflectance * surface.tint;
     const Color reflected = passage.depth < options_.maxDepth
                                 ? trace({leave(hit, out), RayKind::reflected, passage.depth + 1,
                                          passage.travelled + hit.t, self, factor})
                                 : backgroundColor(scene_.input.background, out);
-    return factor * reflected + rim * rimColor;
+    return factor * reflected + rim * look::rimColor;
   }
 
   Color shadeGround(const Passage& passage, const SceneHit& hit, int self) {
-    const double slant = std::max(0.02, std::abs(passage.ray.direction.z));
+    const double slant = std::max(look::leastSlant, std::abs(passage.ray.direction.z));
     const double footprint = options_.pixelAngle * (passage.travelled + hit.t) / slant;
     const Material material = groundMaterial(*scene_.input.ground, hit.point, footprint);
     const Color lit = shadeSurface(material, passage.ray, hit, self, 1 - hit.groundFade);
@@ -144,9 +145,6 @@ class Tracer {
   Ray leave(const SceneHit& hit, const Direction& direction) const {
     return {hit.point + scene_.epsilon * hit.faceNormal, direction};
   }
-
-  static constexpr double rimStrength = 0.7;
-  static constexpr Color rimColor{0.98, 0.99, 1};
 
   const RenderScene& scene_;
   const TraceOptions& options_;

@@ -45,19 +45,26 @@ class ModelBuilder {
 
 }  // namespace
 
-PreparedMesh makeCameraModel(const Camera& camera, double size) {
+PreparedMesh makeCameraModel(const Point& eye, const Frame& frame, double size) {
+  if (!isFinite(eye) || !isFinite(frame.forward) || !isFinite(frame.up)) return {};
   ModelBuilder builder;
   builder.addBox({-0.62, -0.46, -1.95}, {0.62, 0.46, -0.62});
   builder.addBox({-0.26, 0.46, -1.6}, {0.26, 0.68, -0.9});  // finder
   builder.addCone(-0.62, 0.34, -0.42, 0.34);
   builder.addCone(-0.42, 0.3, 0, 0.54);
   Mesh mesh = builder.take();
-  const Frame frame = Projection(camera, 1, 1).frame();
   mesh.positions = mapPoints(mesh.positions, [&](const Point& p) {
-    return camera.eye + size * (p.x * frame.right + p.y * frame.up + p.z * frame.forward);
+    return eye + size * (p.x * frame.right + p.y * frame.up + p.z * frame.forward);
   });
   const MeshSurface surface = makeSurface("RT camera", std::move(mesh), Material{});
-  return {surface.mesh, surface.bvh, surface.normalGroups, surface.normals};
+  return {surface.mesh, surface.bvh, surface.normalGroups, surface.normals, surface.box};
+}
+
+const PreparedMesh& CameraModel::at(const Camera& camera, double size) {
+  return memo_.get({camera.eye, Projection(camera, 1, 1).frame(), size}, [&](const Key& key) {
+    ++count_;
+    return makeCameraModel(key.eye, key.frame, key.size);
+  });
 }
 
 }  // namespace anamorph

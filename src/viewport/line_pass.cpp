@@ -6,7 +6,8 @@
 #include <glad/gl.h>
 #include <glm/vec4.hpp>
 
-#include "viewport/surface_store.h"
+#include "viewport/scene_block.h"
+#include "viewport/scene_program.h"
 
 namespace anamorph {
 namespace {
@@ -21,7 +22,8 @@ bool drawable(const Line& line) {
 
 // shaders/line.vert.glsl reads this.
 void append(std::vector<glm::vec4>& texels, const Line& line, const Point& origin) {
-  const int kind = static_cast<int>(line.style) + 4 * line.arrow + 8 * line.inFront;
+  const int kind =
+      static_cast<int>(line.style) | line.arrow * LineFlags::arrow | line.inFront * LineFlags::inFront;
   texels.emplace_back(glm::vec3(line.from - origin), line.width);
   texels.emplace_back(glm::vec3(line.to - origin), kind);
   texels.emplace_back(glm::vec3(glm::clamp(line.color, 0.0, 1.0)), std::min(line.alpha, 1.0));
@@ -29,8 +31,9 @@ void append(std::vector<glm::vec4>& texels, const Line& line, const Point& origi
 
 }  // namespace
 
-LinePass::LinePass() : program_("line.vert.glsl", "line.frag.glsl"), texels_(TexelFormat::rgba32f, 1) {
-  connectToScene(program_);
+LinePass::LinePass()
+    : program_(makeSceneProgram("line.vert.glsl", "line.frag.glsl")), texels_(TexelFormat::rgba32f, 1) {
+  program_.use();
   program_.set("lines", lineUnit);
   program_.set("depth", depthUnit);
 }

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "viewport/scene_program.h"
 #include "viewport/surface_store.h"
 
 namespace anamorph {
@@ -76,11 +77,9 @@ PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin,
 }  // namespace
 
 OutlinePass::OutlinePass()
-    : mesh_("mesh.vert.glsl", "mask.frag.glsl"),
-      traced_("full_screen.vert.glsl", "traced_mask.frag.glsl"),
-      plain_("full_screen.vert.glsl", "plain_mask.frag.glsl"),
-      outline_("full_screen.vert.glsl", "outline.frag.glsl") {
-  for (const ShaderProgram* program : {&mesh_, &traced_, &plain_}) connectToScene(*program);
+    : mesh_(makeSceneProgram("mesh.vert.glsl", "mask.frag.glsl")),
+      traced_(makeSceneProgram("full_screen.vert.glsl", "traced_mask.frag.glsl")),
+      outline_(makeSceneProgram("full_screen.vert.glsl", "outline.frag.glsl")) {
   outline_.use();
   outline_.set("mask", maskUnit);
 }
@@ -88,13 +87,14 @@ OutlinePass::OutlinePass()
 bool OutlinePass::wanted(const ViewportInput& input, const Visible& visible) {
   const Selection& selection = input.selection;
   if (const auto mesh = selectedMesh(selection)) return visible.surface(*mesh);
-  if (selection.part == Part::mirror) return visible.mirror;
+  if (selection.part == Part::mirror) return visible.hasMirror();
   return selection.part == Part::light && input.display.lightMarkers && selection.index >= 0 &&
          selection.index < std::min<int>(static_cast<int>(input.level.lights.size()), gpuLightLimit);
 }
 
 void OutlinePass::draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-                       const Point& origin, const SurfaceSlots& slots, double pixelScale) {
+                       const Point& origin, const SurfaceSlots& slots, const Visible& visible,
+                       double pixelScale) {
   if (mask_.width() != target.width() || mask_.height() != target.height()) {
     mask_ = Framebuffer();
     mask_ = Framebuffer(target.width(), target.height(), {TexelFormat::r8}, false, true);
@@ -115,8 +115,12 @@ void OutlinePass::draw(const Framebuffer& target, const ViewportInput& input, co
     program.set(traced ? "wanted" : "surface", traced ? 1 << i : i);
     glDrawArrays(GL_TRIANGLES, 0, traced ? 3 : 3 * triangles);
   } else {
-    plain_.use();
-    plain_.set("light", input.selection.part == Part::light ? input.selection.index : -1);
+    ShaderProgram& plain = plain_[visible.mirror];
+    if (plain.empty()) {
+      plain = makeSceneProgram("full_screen.vert.glsl", "plain_mask.frag.glsl", sceneOptions(visible.mirror));
+    }
+    plain.use();
+    plain.set("light", input.selection.part == Part::light ? input.selection.index : -1);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   target.bind();

@@ -2,6 +2,9 @@
 // around that. So a thing is found even where another one hides it.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
 #include "viewport/scene_block.h"
@@ -18,10 +21,11 @@ class OutlinePass {
   /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), `scene` is
   /// written, its places relative to `origin`. `pixelScale`: pixels for one of the outline's width.
   void draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-            const Point& origin, const SurfaceSlots& slots, double pixelScale);
+            const Point& origin, const SurfaceSlots& slots, const Visible& visible, double pixelScale);
 
  private:
-  ShaderProgram mesh_, traced_, plain_, outline_;
+  ShaderProgram mesh_, traced_, outline_;
+  std::map<std::string, ShaderProgram> plain_;  // by the mirror's shape; made when needed
   Framebuffer mask_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <glad/gl.h>
 
-#include "viewport/surface_store.h"
+#include "viewport/scene_program.h"
 
 namespace anamorph {
 namespace {
@@ -12,8 +12,8 @@ constexpr double dotRadius = 2.2;  // pixels at 100 %
 
 }  // namespace
 
-OverlayPass::OverlayPass() : dots_("dot.vert.glsl", "dot.frag.glsl") {
-  connectToScene(dots_);
+OverlayPass::OverlayPass() : dots_(makeSceneProgram("dot.vert.glsl", "dot.frag.glsl")) {
+  dots_.use();
   dots_.set("depth", depthUnit);
 }
 
@@ -28,7 +28,7 @@ void OverlayPass::update(const ViewportInput& input, const SurfaceSlots& slots, 
 }
 
 void OverlayPass::draw(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
-                       const Texture& depth, double pixelScale, int number) {
+                       const Visible& visible, const Texture& depth, double pixelScale, int number) {
   mean_.beginSample(number);
   mean_.sample().bind();
   const GLfloat nothing[] = {0, 0, 0, 0};
@@ -38,7 +38,7 @@ void OverlayPass::draw(const ViewportInput& input, const SceneBlock& scene, cons
   if (hasDots_) {
     drawDots(slots, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
   }
-  if (hasOutline_) outline_.draw(mean_.sample(), input, scene, origin_, slots, pixelScale);
+  if (hasOutline_) outline_.draw(mean_.sample(), input, scene, origin_, slots, visible, pixelScale);
   lines_.draw(depth, pixelScale);
   glDisable(GL_BLEND);
   mean_.endSample(number);

@@ -23,7 +23,7 @@ class OverlayPass {
   /// Adds a sample to the mean, as ScenePass::draw. `depth` is of the same sample; `pixelScale`: pixels of
   /// the picture for one of a line's width.
   void draw(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
-            const Texture& depth, double pixelScale, int number);
+            const Visible& visible, const Texture& depth, double pixelScale, int number);
 
   /// The mean: display colour times alpha, alpha. Undefined while empty().
   const Texture& result() const { return mean_.result(); }

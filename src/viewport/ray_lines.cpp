@@ -5,9 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "anamorphosis/vertex_ray.h"
-#include "pipeline/stages.h"
-
 namespace anamorph {
 namespace {
 
@@ -87,20 +84,6 @@ void visitTrees(const std::vector<RayTree>& trees, std::optional<std::size_t> on
   }
 }
 
-std::vector<VertexRay> sampleVertexRays(const LevelScene& level, const Mesh& original,
-                                        const RaySettings& settings) {
-  std::vector<VertexRay> rays;
-  const VertexMap map = makeVertexMap(level);
-  const std::size_t count = original.positions.size();
-  const std::size_t wanted = std::min<std::size_t>(std::max(settings.vertexCount, 0), count);
-  for (std::size_t i = 0; i < wanted; ++i) {
-    // At the middle of each of `wanted` equal parts of the list.
-    const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
-    rays.push_back(makeVertexRay(map, original.positions[vertex]));
-  }
-  return rays;
-}
-
 // The straight pieces of a vertex ray, or the one that it has when it is not mapped.
 std::vector<Line> linesOf(const VertexRay& ray, const RaySettings& settings) {
   if (!ray.mapped() && settings.hideNoHit) return {};
@@ -178,11 +161,23 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
   return lines;
 }
 
-std::vector<Line> makeVertexRayLines(const LevelScene& level, const Mesh& original, const RaySettings& settings,
+std::vector<VertexRay> sampleVertexRays(const VertexMap& map, const Mesh& original, int count) {
+  std::vector<VertexRay> rays;
+  const std::size_t all = original.positions.size();
+  const std::size_t wanted = std::min<std::size_t>(std::max(count, 0), all);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    // At the middle of each of `wanted` equal parts of the list.
+    const std::size_t vertex = (2 * i + 1) * all / (2 * wanted);
+    rays.push_back(makeVertexRay(map, original.positions[vertex]));
+  }
+  return rays;
+}
+
+std::vector<Line> makeVertexRayLines(const std::vector<VertexRay>& rays, const RaySettings& settings,
                                      double seconds) {
   std::vector<Line> lines;
   double travelled = travelledIn(seconds, settings);
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+  for (const VertexRay& ray : rays) {
     double begin = 0;
     for (const Line& leg : linesOf(ray, settings)) {
       const double end = begin + glm::length(leg.to - leg.from);
@@ -205,9 +200,9 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
   return secondsFor(settings.sequential ? sum : most, settings);
 }
 
-double vertexRayAnimationSeconds(const LevelScene& level, const Mesh& original, const RaySettings& settings) {
+double vertexRayAnimationSeconds(const std::vector<VertexRay>& rays, const RaySettings& settings) {
   double most = 0, sum = 0;
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+  for (const VertexRay& ray : rays) {
     const double length = lengthOf(linesOf(ray, settings));
     most = std::max(most, length);
     sum += length;
@@ -230,11 +225,10 @@ std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const 
   return stopsAt(std::move(ways), settings);
 }
 
-std::vector<double> vertexRayAnimationStops(const LevelScene& level, const Mesh& original,
-                                            const RaySettings& settings) {
+std::vector<double> vertexRayAnimationStops(const std::vector<VertexRay>& rays, const RaySettings& settings) {
   std::vector<double> ways;
   double begin = 0;
-  for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
+  for (const VertexRay& ray : rays) {
     double end = begin;
     for (const Line& leg : linesOf(ray, settings)) {
       end += glm::length(leg.to - leg.from);

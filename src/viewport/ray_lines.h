@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "anamorphosis/vertex_ray.h"
 #include "edit/display_settings.h"
 #include "geometry/mesh.h"
 #include "level/level.h"
@@ -21,21 +22,21 @@ Line rayStyle(RayKind kind);
 std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySettings& settings,
                                 std::optional<std::size_t> only, double seconds);
 
-/// The vertex rays of `settings.vertexCount` vertices of the original (in scene coordinates), evenly over its
-/// list.
-std::vector<Line> makeVertexRayLines(const LevelScene& level, const Mesh& original, const RaySettings& settings,
+/// The vertex rays of `count` vertices of the original (in scene coordinates), evenly over its list: sampled once and
+/// asked for all that follows.
+std::vector<VertexRay> sampleVertexRays(const VertexMap& map, const Mesh& original, int count);
+std::vector<Line> makeVertexRayLines(const std::vector<VertexRay>& rays, const RaySettings& settings,
                                      double seconds);
 
 /// How many seconds the animation of these takes; 0 when nothing moves.
 double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings& settings,
                             std::optional<std::size_t> only);
-double vertexRayAnimationSeconds(const LevelScene& level, const Mesh& original, const RaySettings& settings);
+double vertexRayAnimationSeconds(const std::vector<VertexRay>& rays, const RaySettings& settings);
 
 /// The seconds at which a piece of a ray ends, each once and in order: where an animation that is stepped by
 /// hand stops. The first is 0.
 std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
                                        std::optional<std::size_t> only);
-std::vector<double> vertexRayAnimationStops(const LevelScene& level, const Mesh& original,
-                                            const RaySettings& settings);
+std::vector<double> vertexRayAnimationStops(const std::vector<VertexRay>& rays, const RaySettings& settings);
 
 }  // namespace anamorph

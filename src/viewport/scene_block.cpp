@@ -35,14 +35,6 @@ ViewPose sound(ViewPose pose) {
   return pose;
 }
 
-/// The shape's part of the block; places relative to `origin`. Returns its number in the shaders.
-int packMirror(SceneBlock& block, const Shape& shape, const Point& origin) {
-  const PackedShape data = shape->packed(origin);
-  block.mirror = data[0];
-  block.mirrorAxis = data[1];
-  for (std::size_t i = 0; i < block.mirrorEdges.size(); ++i) block.mirrorEdges[i] = data[2 + i];
-  return static_cast<int>(shapeIndex(shape)) + 1;
-}
 
 void packView(SceneBlock& block, const ViewportInput& input, const Point& origin, int width, int height,
               const Pixel& shift) {
@@ -89,7 +81,7 @@ void packSurroundings(SceneBlock& block, const ViewportInput& input, const Scene
   block.ground = glm::vec4(glm::dvec4(level.ground.height - measure.centre.z, ground.gridSpacing,
                                       ground.gridSpacing * (cells.x - std::floor(cells.x)),
                                       ground.gridSpacing * (cells.y - std::floor(cells.y))));
-  block.groundMaterial = pack(ground.material);
+  block.groundLook = pack(ground.material);
 }
 
 int packLights(SceneBlock& block, const LevelScene& level, const Point& origin) {
@@ -111,12 +103,12 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
   const Material* materials[] = {&sculpture, &input.level.original.material, &rtCameraMaterial};
   const bool solidOriginal = visible.original && !visible.ghost;
   const bool mirroredOriginal = visible.original && display.originalInMirror;
-  constexpr int inMirror = 1, castsShadow = 2, castsInMirror = 4, hasWires = 8, wholeMesh = 16;
+  using F = SurfaceFlags;
   const int flags[] = {
-      visible.sculpture * (inMirror | castsShadow | castsInMirror) | visible.wires * hasWires,
-      mirroredOriginal * inMirror | solidOriginal * castsShadow |
-          (solidOriginal && mirroredOriginal) * castsInMirror,
-      visible.rtCamera * inMirror};
+      visible.sculpture * (F::inMirror | F::castsShadow | F::castsInMirror) | visible.wires * F::hasWires,
+      mirroredOriginal * F::inMirror | solidOriginal * F::castsShadow |
+          (solidOriginal && mirroredOriginal) * F::castsInMirror,
+      visible.rtCamera * F::inMirror};
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     const SurfaceSlot& slot = slots[i];
     const bool there = slot.triangles > 0;
@@ -126,7 +118,7 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
     block.surfaceLow[i] = pack(there ? slot.box.min - origin : Vector(0));
     block.surfaceHigh[i] = pack(there ? slot.box.max - origin : Vector(0));
     block.surfaceOffsets[i] = slot.first;
-    block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * wholeMesh : 0, slot.root, 0};
+    block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * F::wholeMesh : 0, slot.root, 0};
   }
 }
 
@@ -165,12 +157,14 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  visible.mirror = isVisible(input.level.optic) && !findShapeProblem(input.level.optic.shape());
+  if (isVisible(input.level.optic) && !findShapeProblem(input.level.optic.shape()))
+    visible.mirror = shapeName(input.level.optic.shape());
   return visible;
 }
 
 double rtCameraSize(const PixelGrid& grid, double sceneRadius) {
-  const double size = 0.05 * sceneRadius;
+  constexpr double step = 1.1;
+  const double size = 0.05 * std::pow(step, std::round(std::log(sceneRadius) / std::log(step)));
   return grid.distance > 0 ? std::min(size, 0.6 * grid.distance) : size;
 }
 
@@ -183,13 +177,15 @@ SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measur
   packSurroundings(block, input, measure);
   packSurfaces(block, input, visible, slots, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);
-  const int mirror = visible.mirror ? packMirror(block, level.optic.shape(), measure.centre) : 0;
+  if (visible.hasMirror()) {
+    const PackedShape shape = level.optic.shape()->packed(measure.centre);
+    std::copy(shape.begin(), shape.end(), block.mirrorShape.begin());
+  }
   block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);
   const int lights = packLights(block, level, measure.centre);
-  block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), mirror,
+  block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), 0,
                   level.ground.visible && !input.transparent};
-  block.options = {level.tracing.shadows, input.display.lightMarkers,
-                   visible.original ? 1 + visible.ghost : 0, 0};
+  block.options = {level.tracing.shadows, input.display.lightMarkers, 0, 0};
   return block;
 }
 

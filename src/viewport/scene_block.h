@@ -7,10 +7,12 @@
 #include <array>
 #include <cstdint>
 
+#include <string>
+
 #include <glm/vec4.hpp>
 
 #include "raytrace/scene.h"
-#include "viewport/viewport.h"
+#include "viewport/viewport_input.h"
 
 namespace anamorph {
 
@@ -21,13 +23,26 @@ constexpr int sceneBlockPoint = 0;  ///< where programs find the block
 /// Which mesh is which in the shaders.
 enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2 };
 
+/// What a surface does in the shaders; any of them together.
+struct SurfaceFlags {
+  static constexpr int inMirror = 1;       ///< the mirror shows it,
+  static constexpr int castsShadow = 2;    ///< it takes light from what is seen directly,
+  static constexpr int castsInMirror = 4;  ///< and from what is seen in the mirror,
+  static constexpr int hasWires = 8;       ///< its triangles' edges are drawn
+  static constexpr int wholeMesh = 16;     ///< every vertex is usable
+};
+
+/// How the style and the flags of a line are told to its shader, in one number.
+struct LineFlags {
+  static constexpr int styleMask = 3, arrow = 4, inFront = 8;
+};
+
 /// Every field is a multiple of 16 bytes, so that std140 and C++ agree.
 struct SceneBlock {
   glm::vec4 eye, right, up, forward, lens, depthRange;
   glm::vec4 sceneSize, backgroundTop, backgroundBottom, ground;
-  std::array<glm::vec4, 2> groundMaterial;
-  glm::vec4 mirror, mirrorAxis;
-  std::array<glm::vec4, 4> mirrorEdges;
+  std::array<glm::vec4, 2> groundLook;
+  std::array<glm::vec4, shapeVectors> mirrorShape;
   glm::vec4 mirrorTint;
   std::array<glm::vec4, gpuSurfaceCount> surfaceCentre, surfaceLow, surfaceHigh;
   std::array<glm::vec4, 2 * gpuSurfaceCount> materials;
@@ -58,13 +73,16 @@ struct Visible {
   bool rtCamera = false;
   bool wires = false;
   bool screen = false;
-  bool mirror = false;
+  std::string mirror = noMirror;  ///< the file of shaders/shapes that is its shape
 
+  static constexpr const char* noMirror = "none";
+  bool hasMirror() const { return mirror != noMirror; }
   bool surface(GpuSurface which) const;
 };
 Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius);
 
-/// Half the length of the RT camera's model, scene units.
+/// Half the length of the RT camera's model, scene units. It follows the scene in steps, so that the model is seldom
+/// made anew while something moves.
 double rtCameraSize(const PixelGrid& grid, double sceneRadius);
 
 /// For a picture of width x height pixels, whose size may differ from the input's; `shift` moves the sample

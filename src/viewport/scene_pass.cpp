@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <glad/gl.h>
 #include <glm/vec4.hpp>
 
+#include "viewport/scene_program.h"
 #include "viewport/surface_store.h"
 
 namespace anamorph {
@@ -18,7 +18,7 @@ constexpr int seenUnit = 4, ghostUnit = 5, screenUnit = 6, sampleUnit = 4;
 
 }  // namespace
 
-SampleMean::SampleMean() : copy_("full_screen.vert.glsl", "copy.frag.glsl") {
+SampleMean::SampleMean() : copy_(makeSceneProgram("full_screen.vert.glsl", "copy.frag.glsl")) {
   copy_.use();
   copy_.set("source", sampleUnit);
 }
@@ -53,11 +53,9 @@ void SampleMean::copySample() const {
 }
 
 ScenePass::ScenePass()
-    : triangles_("mesh.vert.glsl", "triangle_id.frag.glsl"),
-      traced_("full_screen.vert.glsl", "traced_id.frag.glsl"),
+    : triangles_(makeSceneProgram("mesh.vert.glsl", "triangle_id.frag.glsl")),
+      traced_(makeSceneProgram("full_screen.vert.glsl", "traced_id.frag.glsl")),
       screen_(TexelFormat::rgba32f, 1, 1) {
-  connectToScene(triangles_);
-  connectToScene(traced_);
   const std::array<float, 4> black{};
   screen_.write(0, 0, 1, 1, black.data());
 }
@@ -83,7 +81,7 @@ void ScenePass::setScreen(const std::shared_ptr<const Image>& screen) {
   screen_.write(0, 0, screen->width, screen->height, texels.data());
 }
 
-void ScenePass::draw(const SceneBlock& scene, const SurfaceSlots& slots, const Visible& visible, int number) {
+void ScenePass::draw(const SurfaceSlots& slots, const Visible& visible, int number) {
   mean_.beginSample(number);
   findTriangles(seen_, slots, visible, false);
   if (visible.ghost) {
@@ -102,7 +100,7 @@ void ScenePass::draw(const SceneBlock& scene, const SurfaceSlots& slots, const V
   glDepthFunc(GL_LEQUAL);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   for (const bool traced : {false, true})
-    drawPixels({scene.counts.z, visible.ghost, visible.wires && traced, traced});
+    drawPixels({visible.mirror, visible.ghost, visible.wires && traced, traced});
   glDisable(GL_DEPTH_TEST);
   mean_.endSample(number);
 }
@@ -110,12 +108,13 @@ void ScenePass::draw(const SceneBlock& scene, const SurfaceSlots& slots, const V
 void ScenePass::drawPixels(const PixelProgram& kind) {
   ShaderProgram& program = programs_[kind];
   if (program.empty()) {
-    std::vector<std::string> defines{fmt::format("MIRROR_KIND {}", kind.mirrorKind)};
+    std::vector<std::string> defines;
     if (kind.traced) defines.emplace_back("TRACED");
     if (kind.ghost) defines.emplace_back("GHOST");
     if (kind.wires) defines.emplace_back("WIRES");
-    program = ShaderProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", defines);
-    connectToScene(program);
+    program =
+        makeSceneProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", sceneOptions(kind.mirror, defines));
+    program.use();
     program.set("seen", seenUnit);
     program.set("seenGhost", ghostUnit);
     program.set("screen", screenUnit);

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <string>
 
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
@@ -47,7 +48,7 @@ class ScenePass {
 
   /// Adds a sample to the mean; number 0 begins a new one. The textures of the meshes are bound, the scene
   /// block is written.
-  void draw(const SceneBlock& scene, const SurfaceSlots& slots, const Visible& visible, int number);
+  void draw(const SurfaceSlots& slots, const Visible& visible, int number);
 
   /// The mean: linear light times alpha, alpha.
   const Texture& light() const { return mean_.result(); }
@@ -57,7 +58,7 @@ class ScenePass {
  private:
   /// What a program is made for, see scene_pass.frag.glsl.
   struct PixelProgram {
-    int mirrorKind = 0;
+    std::string mirror;
     bool ghost = false, wires = false, traced = false;
     auto operator<=>(const PixelProgram&) const = default;
   };

@@ -42,15 +42,6 @@ bool sameTriangles(const PreparedMesh& a, const PreparedMesh& b) {
 
 }  // namespace
 
-void connectToScene(const ShaderProgram& program) {
-  program.use();
-  program.bindBlock("Scene", sceneBlockPoint);
-  program.set("nodes", SurfaceUnits::nodes);
-  program.set("positions", SurfaceUnits::positions);
-  program.set("triangles", SurfaceUnits::triangles);
-  program.set("normals", SurfaceUnits::normals);
-}
-
 bool fasterTraced(std::int64_t triangles, const Framebuffer& target) {
   return triangles > std::int64_t{target.width()} * target.height() && isSoftwareRenderer();
 }

@@ -11,7 +11,6 @@
 #include <glm/vec4.hpp>
 
 #include "gl/framebuffer.h"
-#include "gl/shader.h"
 #include "gl/texture.h"
 #include "viewport/scene_block.h"
 
@@ -30,9 +29,6 @@ using SurfaceSources = std::array<SurfaceSource, gpuSurfaceCount>;
 struct SurfaceUnits {
   static constexpr int nodes = 0, positions = 1, triangles = 2, normals = 3;
 };
-
-/// Tells a program where to read the scene block and the meshes' textures.
-void connectToScene(const ShaderProgram& program);
 
 /// Whether the triangles that pixels see are found sooner by a ray for every pixel than by drawing all
 /// triangles. Graphics processors draw small triangles faster than they trace; the main processor takes about

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "viewport/overlay_pass.h"
 #include "viewport/scene_block.h"
 #include "viewport/scene_pass.h"
+#include "viewport/scene_program.h"
 #include "viewport/surface_store.h"
 
 namespace anamorph {
@@ -43,23 +43,6 @@ void resetStates() {
   for (GLuint unit = 0; unit < units; ++unit) glBindSampler(unit, 0);
 }
 
-/// The model of the RT camera, made again only for another camera.
-class ModelOfCamera {
- public:
-  const PreparedMesh& operator()(const Camera& camera, double size) {
-    const std::pair key(camera, size);
-    if (key_ == key) return model_;
-    key_ = key;
-    const bool finite = isFinite(camera.eye) && isFinite(camera.target) && isFinite(camera.up);
-    model_ = finite ? makeCameraModel(camera, size) : PreparedMesh{};
-    return model_;
-  }
-
- private:
-  std::optional<std::pair<Camera, double>> key_;
-  PreparedMesh model_;
-};
-
 }  // namespace
 
 struct Viewport::Parts {
@@ -84,11 +67,11 @@ struct Viewport::Parts {
   ScenePass scenePass;
   OverlayPass overlayPass;
   UniformBuffer block{sceneBlockPoint};
-  ShaderProgram resolve{"full_screen.vert.glsl", "resolve.frag.glsl"};
+  ShaderProgram resolve = makeSceneProgram("full_screen.vert.glsl", "resolve.frag.glsl");
   Framebuffer picture;
   GLuint noVertices = 0;
 
-  ModelOfCamera cameraModel;
+  CameraModel cameraModel;
   SceneMeasure measure;
   Visible visible;
 };
@@ -101,7 +84,7 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   SurfaceSources sources;
   sources[0] = {input.sculpture.prepared, input.sculpture.sculpture};
   sources[1] = {input.original, nullptr};
-  sources[2] = {cameraModel(input.level.camera, rtCameraSize(input.level.grid, measure.radius)), nullptr};
+  sources[2] = {cameraModel.at(input.level.camera, rtCameraSize(input.level.grid, measure.radius)), nullptr};
   surfaces.update(sources);
   visible = findVisible(input, surfaces.slots(), measure.radius);
   scenePass.setScreen(input.screen);
@@ -124,9 +107,10 @@ void Viewport::Parts::addSample() {
                                           picture.height(), sampleShift(done));
   block.write(&scene, sizeof scene);
   surfaces.bind();
-  scenePass.draw(scene, surfaces.slots(), visible, done);
+  scenePass.draw(surfaces.slots(), visible, done);
   if (!overlayPass.empty())
-    overlayPass.draw(input, scene, surfaces.slots(), scenePass.depth(), input.lineScale * scale, done);
+    overlayPass.draw(input, scene, surfaces.slots(), visible, scenePass.depth(), input.lineScale * scale,
+                     done);
   ++done;
 }
 
@@ -172,20 +156,7 @@ std::uint32_t Viewport::texture() const {
 
 Bitmap Viewport::readBack() const {
   const Framebuffer& picture = parts_->picture;
-  Bitmap bitmap{picture.width(), picture.height(), 4, {}};
-  const std::size_t rowBytes = 4 * static_cast<std::size_t>(bitmap.width);
-  bitmap.bytes.resize(rowBytes * bitmap.height);
-  if (bitmap.bytes.empty()) return bitmap;
-  const SavedTarget saved;
-  picture.bind();
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-  glReadPixels(0, 0, bitmap.width, bitmap.height, GL_RGBA, GL_UNSIGNED_BYTE, bitmap.bytes.data());
-  for (int y = 0; y < bitmap.height / 2; ++y) {
-    std::swap_ranges(bitmap.bytes.begin() + y * rowBytes, bitmap.bytes.begin() + (y + 1) * rowBytes,
-                     bitmap.bytes.begin() + (bitmap.height - 1 - y) * rowBytes);
-  }
-  return bitmap;
+  return {picture.width(), picture.height(), 4, picture.readPixels()};
 }
 
 std::string Viewport::problem() const {

@@ -7,7 +7,7 @@
 
 #include "app/state_log.h"
 #include "cli/program.h"
-#include "desk_fixture.h"
+#include "gui_fixture.h"
 #include "level/json.h"
 #include "level/level_json.h"
 #include "panels/actions.h"
@@ -61,6 +61,48 @@ class OpenGui : public GuiTest {
 
   Pixel grip_{0};
 };
+
+TEST_F(OpenGui, ADragInTheViewIsFollowedInTheSameFrame) {
+  beginDrag();
+  for (int i = 1; i <= 10; ++i) {
+    const Level before = editor().session.level();
+    moveTo(grip_ + Pixel(20 + 4 * i, 0));
+    frames(1);
+    EXPECT_FALSE(editor().session.level() == before);
+    EXPECT_EQ(editor().updater.result().level, editor().session.level());
+  }
+}
+
+TEST_F(OpenGui, ADraggedNumberIsFollowedInTheNextFrame) {
+  headless->resize(1280, 800);
+  frames(3);
+  while (!editor().updater.result().complete) frames(1);
+  editor().selection = {Part::eye};
+  frames(3);
+  const Rect& rect = ui().layout.properties;
+  const Level before = editor().session.level();
+  bool dragged = false;
+  for (float y = rect.y + 70; y < rect.y + rect.height && !dragged; y += 5) {
+    const Pixel at(rect.x + 0.46f * rect.width, y);
+    moveTo(at);
+    frames(2);
+    headless->pressMouse(0, true);
+    frames(1);
+    moveTo(at + Pixel(20, 0));
+    frames(1);
+    dragged = editor().session.changing() && !(editor().session.level() == before);
+    if (dragged) break;
+    headless->pressMouse(0, false);
+    frames(2);
+  }
+  ASSERT_TRUE(dragged);
+  EXPECT_TRUE(gui().unfinished()) << "it is not shown yet";
+  frames(1);
+  EXPECT_EQ(editor().updater.result().level, editor().session.level());
+  EXPECT_FALSE(editor().updater.result().level == before);
+  headless->pressMouse(0, false);
+  frames(2);
+}
 
 TEST_F(OpenGui, AnotherLevelEndsTheDrag) {
   beginDrag();

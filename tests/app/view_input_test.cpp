@@ -24,8 +24,8 @@ class ViewInput : public testing::Test {
     editor.updater.finish(editor.session, {64, false});
     advance(editor, 0);
   }
-  ViewportInput make() { return maker.make(editor, ui, false); }
-  std::vector<Line> lines() const { return makeLines(editor, ui); }
+  ViewportInput make() { return maker.make(editor, ui, ShownRays(editor), false); }
+  std::vector<Line> lines() { return makeLines(editor, ui, ShownRays(editor)); }
   // Without RT camera and construction, so that rays are all that is left.
   std::size_t rayCount() {
     editor.display.rtCamera = false;
@@ -167,15 +167,15 @@ TEST_F(ViewInput, NothingIsShownOfASculptureThatCannotBe) {
 TEST_F(ViewInput, NothingIsThereBeforeTheFirstResult) {
   Editor fresh({}, 1);
   openLevel(fresh, std::string(ANAMORPH_LEVELS) + "/1-plane.json");
-  EXPECT_NO_THROW(maker.make(fresh, ui, false));
-  EXPECT_EQ(ViewInputMaker::animationSeconds(fresh), 0);
+  EXPECT_NO_THROW(maker.make(fresh, ui, ShownRays(fresh), false));
+  EXPECT_EQ(ShownRays(fresh).animationSeconds(fresh.rays), 0);
 }
 
 TEST_F(ViewInput, AnimatedRaysGrowAndStartAgain) {
   editor.display.rtCamera = false;
-  EXPECT_EQ(ViewInputMaker::animationSeconds(editor), 0) << "nothing is animated";
+  EXPECT_EQ(ShownRays(editor).animationSeconds(editor.rays), 0) << "nothing is animated";
   editor.rays.animate = true;
-  const double length = ViewInputMaker::animationSeconds(editor);
+  const double length = ShownRays(editor).animationSeconds(editor.rays);
   ASSERT_GT(length, 0);
   EXPECT_TRUE(std::isfinite(length));
   const auto total = [&](double seconds) {
@@ -192,8 +192,8 @@ TEST_F(ViewInput, AnimatedRaysGrowAndStartAgain) {
 }
 
 TEST_F(ViewInput, TransparentIsHandedOn) {
-  EXPECT_FALSE(maker.make(editor, ui, false).transparent);
-  EXPECT_TRUE(maker.make(editor, ui, true).transparent);
+  EXPECT_FALSE(make().transparent);
+  EXPECT_TRUE(maker.make(editor, ui, ShownRays(editor), true).transparent);
 }
 
 }  // namespace

@@ -66,6 +66,31 @@ std::vector<float> readFloats(const Texture& texture, int width, int height) {
   return result;
 }
 
+TEST_F(Gl, PixelsAreReadFromTheTop) {
+  for (const int height : {1, 2, 3}) {
+    const Framebuffer target(2, height, {TexelFormat::rgba8});
+    std::vector<std::uint8_t> texels(8 * static_cast<std::size_t>(height));
+    std::iota(texels.begin(), texels.end(), std::uint8_t{1});
+    target.bind();
+    glEnable(GL_SCISSOR_TEST);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < 2; ++x) {
+        glScissor(x, height - 1 - y, 1, 1);
+        const std::uint8_t* p = &texels[4 * static_cast<std::size_t>(2 * y + x)];
+        glClearColor(float(p[0]) / 255, float(p[1]) / 255, float(p[2]) / 255, float(p[3]) / 255);
+        glClear(GL_COLOR_BUFFER_BIT);
+      }
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    EXPECT_EQ(target.readPixels(), texels);
+    GLint bound = -1;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+    EXPECT_EQ(bound, 0) << "what was bound is bound";
+  }
+  EXPECT_TRUE(Framebuffer().readPixels().empty());
+}
+
 TEST_F(Gl, TexturesTakeRectangles) {
   Texture texture(TexelFormat::rgba32f, 4, 3);
   const std::vector<float> black(48, 0);

@@ -1,11 +1,10 @@
-// Shaders: that all of them compile for OpenGL 3.3 and for WebGL 2, and that complaints name the right line.
+// Shaders: how they are put together, and that complaints name the right line.
 
 #include <unistd.h>
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "base/file.h"
@@ -17,37 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const fs::path shaderFolder = fs::path(ANAMORPH_SOURCE_DIR) / "shaders";
-
-using Defines = std::vector<std::string>;
-
-/// What a file is compiled with.
-std::vector<Defines> variantsOf(const std::string& name) {
-  if (name != "scene_pass.frag.glsl") return {{}};
-  std::vector<Defines> variants;
-  for (const char* kind : {"0", "1", "2", "3"}) {
-    const std::string mirror = std::string("MIRROR_KIND ") + kind;
-    variants.push_back({mirror});
-    variants.push_back({mirror, "TRACED", "GHOST", "WIRES"});
-  }
-  return variants;
-}
-
-void expectAllCompile(Dialect dialect) {
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator(shaderFolder)) {
-    const std::string name = entry.path().filename();
-    const bool vertex = name.ends_with(".vert.glsl");
-    if (!vertex && !name.ends_with(".frag.glsl")) continue;
-    for (const Defines& defines : variantsOf(name)) {
-      const ShaderText text = loadShaderText(shaderFolder, name, dialect, defines);
-      EXPECT_EQ(compileProblem(text, vertex ? ShaderStage::vertex : ShaderStage::fragment), "") << name;
-      ++count;
-    }
-  }
-  EXPECT_GT(count, 10);
-}
 
 class Shader : public GlTest {
  protected:
@@ -66,25 +34,6 @@ class Shader : public GlTest {
 
   const fs::path folder_ = fs::path(testing::TempDir()) / ("anamorph-shaders-" + std::to_string(::getpid()));
 };
-
-TEST_F(Shader, AllCompileForDesktop) {
-  expectAllCompile(Dialect::desktop);
-}
-
-TEST_F(Shader, AllCompileForWebGl2) {
-  std::unique_ptr<OffscreenContext> es;
-  std::string problem;
-  OffscreenContext* const desktop = sharedContext(problem);
-  try {
-    es = std::make_unique<OffscreenContext>(GlKind::es);
-  } catch (const Error& error) {
-    desktop->makeCurrent();
-    GTEST_SKIP() << error.what();
-  }
-  expectAllCompile(Dialect::es);
-  es.reset();
-  desktop->makeCurrent();
-}
 
 TEST_F(Shader, IncludesComeInOnce) {
   write("one.glsl", "float one() { return 1.0; }\n");
@@ -107,8 +56,27 @@ TEST_F(Shader, ComplaintsNameFileAndLine) {
 TEST_F(Shader, DefinesReachTheSource) {
   write("main.glsl", "out vec4 c;\nvoid main() { c = vec4(NUMBER); }\n");
   EXPECT_NE(problemOf("main.glsl"), "");
-  const ShaderText text = loadShaderText(folder_, "main.glsl", Dialect::desktop, {"NUMBER 2.0"});
+  const ShaderText text = loadShaderText(folder_, "main.glsl", Dialect::desktop, {{}, {"NUMBER 2.0"}, {}});
   EXPECT_EQ(compileProblem(text, ShaderStage::fragment), "");
+}
+
+TEST_F(Shader, APreludeLeavesLineNumbersRight) {
+  write("main.glsl", "out vec4 c;\nvoid main() { c = vec4(half_); }\n");
+  const ShaderText text =
+      loadShaderText(folder_, "main.glsl", Dialect::desktop, {"const float half_ = 0.5;\n", {}, {}});
+  EXPECT_EQ(compileProblem(text, ShaderStage::fragment), "");
+  const ShaderText other =
+      loadShaderText(folder_, "main.glsl", Dialect::desktop, {"const float x = 0.5;\n\n", {}, {}});
+  EXPECT_THAT(compileProblem(other, ShaderStage::fragment), HasSubstr("main.glsl:2"));
+}
+
+TEST_F(Shader, AFileMayBeChosenByTheCaller) {
+  write("one.glsl", "float value() { return 1.0; }\n");
+  write("main.glsl", "#include VALUE\nout vec4 c;\nvoid main() { c = vec4(value()); }\n");
+  const ShaderText text =
+      loadShaderText(folder_, "main.glsl", Dialect::desktop, {{}, {}, {{"VALUE", "one.glsl"}}});
+  EXPECT_EQ(compileProblem(text, ShaderStage::fragment), "");
+  EXPECT_THROW(loadShaderText(folder_, "main.glsl", Dialect::desktop), Error);
 }
 
 TEST_F(Shader, MissingFileIsAnError) {

@@ -49,9 +49,9 @@ class PanelsTest : public ::testing::Test {
   void frame(double seconds = 1.0 / 60) {
     ImGui::GetIO().DeltaTime = static_cast<float>(seconds);
     ImGui::NewFrame();
-    drawPanels(editor, ui);
+    handleInput(editor, ui);
     advance(editor, seconds);
-    drawViewOverlay(editor, ui);
+    drawPanels(editor, ui);
     ImGui::Render();
     checkVertices();
   }

@@ -2,14 +2,50 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
 #include <string>
 
 #include "random_scene.h"
+#include "viewport/camera_model.h"
+#include "viewport/scene_block.h"
 
 namespace anamorph {
 namespace {
 
 using namespace testing;
+
+TEST(CameraModel, IsMadeAnewOnlyForAnotherCamera) {
+  CameraModel model;
+  Camera camera;
+  const PreparedMesh first = model.at(camera, 0.5);
+  ASSERT_TRUE(first.mesh);
+  EXPECT_EQ(model.at(camera, 0.5).mesh, first.mesh);
+  camera.fovDegrees += 10;  // it looks the same
+  EXPECT_EQ(model.at(camera, 0.5).mesh, first.mesh);
+  EXPECT_EQ(model.count(), 1);
+  camera.eye.x += 1;
+  EXPECT_NE(model.at(camera, 0.5).mesh, first.mesh);
+  model.at(camera, 0.6);
+  EXPECT_EQ(model.count(), 3);
+  camera.eye.x = std::nan("");
+  EXPECT_FALSE(model.at(camera, 0.6).mesh);
+}
+
+// While something is dragged the scene grows and shrinks a little in every frame.
+TEST(CameraModel, FollowsTheScenesSizeInSteps) {
+  PixelGrid grid;
+  grid.distance = 100;
+  std::set<double> sizes;
+  for (int i = 0; i <= 200; ++i) {
+    const double radius = 5 + 0.01 * i, size = rtCameraSize(grid, radius);
+    EXPECT_NEAR(size, 0.05 * radius, 0.05 * 0.05 * radius);
+    sizes.insert(size);
+  }
+  EXPECT_LE(sizes.size(), 5u);
+  grid.distance = 0.1;
+  EXPECT_EQ(rtCameraSize(grid, 7), 0.6 * 0.1);
+}
 
 Camera makeRandomCamera(Random& random) {
   Camera camera;

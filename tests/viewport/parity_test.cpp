@@ -2,10 +2,14 @@
 // double and one in float, that have to agree.
 
 #include "raytrace/scene_hit.h"
+#include "raytrace/tracer.h"
+#include "shapes.h"
 #include "viewport/viewport_fixture.h"
 
 namespace anamorph::test {
 namespace {
+
+using CanvasParity = GlTest;
 
 class Parity : public GlTest, public testing::WithParamInterface<const char*> {};
 
@@ -16,6 +20,10 @@ struct Difference {
 };
 
 using Pick = std::function<bool(int x, int y)>;
+
+bool everywhere(int, int) {
+  return true;
+}
 
 Difference differenceOf(const Bitmap& view, const Bitmap& traced, const Pick& pick) {
   Difference d;
@@ -110,6 +118,57 @@ TEST_P(Parity, HoldsFarFromTheOrigin) {
   EXPECT_LE(all.fractionOver16, 0.01);
 }
 
+// With other rules of tracing the rules are the same, too.
+TEST_P(Parity, HoldsForEveryDepthAndWithoutShadows) {
+  constexpr int size = 160;
+  LevelResult finished = finishedLevel(GetParam());
+  Bitmap first;
+  for (const auto& [depth, shadows] : {std::pair{0, true}, {8, true}, {3, false}}) {
+    finished.level.tracing.maxDepth = depth;
+    finished.level.tracing.shadows = shadows;
+    const Bitmap view = pictureOf(tracerInput(finished, size, size));
+    EXPECT_FALSE(view == first) << "they differ from each other";
+    first = view;
+    const Difference all = differenceOf(view, tracedPicture(finished, size, size), everywhere);
+    EXPECT_LE(all.meanAbsolute, 0.1) << depth;
+    EXPECT_LE(all.fractionOver16, 0.001) << depth;
+  }
+}
+
+// Parallel rays: the tracer's camera has none, so they are traced by hand. It softens the ground's grid by an angle
+// and the view by a length, so the ground is away, and then there but outside of the mirror.
+TEST_P(Parity, HoldsForParallelRays) {
+  constexpr int width = 200, height = 150;
+  LevelResult finished = finishedLevel(GetParam());
+  const ViewSettings& start = finished.level.view;
+  for (const bool ground : {false, true}) {
+    finished.level.ground.visible = ground;
+    ViewportInput input = tracerInput(finished, width, height);
+    input.pose = {start.eye, start.target, {0, 0, 1}, start.fovDegrees, true};
+    const ViewProjection projection(input.pose, width, height);
+    const double pixel = projection.unitsPerPixel(start.target);
+    const RenderScene scene = buildScene(makeReflectionScene(finished.level, finished.sculpture));
+    Image traced(width, height);
+    std::vector<bool> mirror;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const Ray ray = projection.rayThrough({x + 0.5, y + 0.5});
+        const auto hit = findHit(scene, ray);
+        TraceOptions options{finished.level.tracing.maxDepth, finished.level.tracing.shadows, 0};
+        if (hit) options.pixelAngle = pixel / hit->t;
+        traced.pixels[mirror.size()] = traceColor(scene, ray, options);
+        mirror.push_back(hit && hit->object.kind == ObjectKind::optic);
+      }
+    }
+    const Difference all = differenceOf(pictureOf(input), toBitmap(traced), [&](int x, int y) {
+      return !ground || !mirror[static_cast<std::size_t>(y * width + x)];
+    });
+    EXPECT_GT(all.pixels, 10'000);
+    EXPECT_LE(all.meanAbsolute, 0.1) << ground;
+    EXPECT_LE(all.fractionOver16, 0.001) << ground;
+  }
+}
+
 // Many samples are the tracer's many samples, though at other places in the pixel.
 TEST_P(Parity, ManySamplesGiveTheTracersSmoothPicture) {
   constexpr int size = 120;
@@ -121,6 +180,40 @@ TEST_P(Parity, ManySamplesGiveTheTracersSmoothPicture) {
   const Difference all = differenceOf(view, traced, [](int, int) { return true; });
   EXPECT_LE(all.meanAbsolute, 0.7);
   EXPECT_LE(all.fractionOver16, 0.003);
+}
+
+// A canvas reflects nothing and is in no picture, but the sculpture is.
+TEST_F(CanvasParity, ShowsWhatTheTracerShows) {
+  constexpr int size = 240;
+  const LevelResult& finished = finishedLevel("0-perspective");
+  ASSERT_FALSE(isVisible(finished.level.optic));
+  const Bitmap traced = tracedPicture(finished, size, size);
+  const Bitmap view = pictureOf(tracerInput(finished, size, size));
+  EXPECT_GT(count(view, isSculptureColor), 200);
+  const Difference all = differenceOf(view, traced, everywhere);
+  EXPECT_LE(all.meanAbsolute, 0.1);
+  EXPECT_LE(all.fractionOver16, 0.001);
+}
+
+// From within a cylinder, where rays are reflected again and again.
+TEST_F(CanvasParity, InsideOfACylinderRaysAreReflectedAgainAndAgain) {
+  constexpr int size = 160;
+  LevelResult finished = finishedLevel("2-cylinder");
+  Level& level = finished.level;
+  const CylinderMirror& tube = shapeAs<CylinderMirror>(level.optic.shape());
+  const Vector axis = tube.top - tube.bottom;
+  level.camera.eye = tube.bottom + 0.9 * axis + 0.3 * tube.radius * perpendicular(glm::normalize(axis));
+  level.camera.target = tube.bottom + 0.2 * axis - 0.8 * tube.radius * perpendicular(glm::normalize(axis));
+  level.camera.fovDegrees = 60;
+  std::vector<Bitmap> pictures;
+  for (const int depth : {0, 1, 2, 8}) {
+    level.tracing.maxDepth = depth;
+    pictures.push_back(pictureOf(tracerInput(finished, size, size)));
+    const Difference all = differenceOf(pictures.back(), tracedPicture(finished, size, size), everywhere);
+    EXPECT_LE(all.meanAbsolute, 0.5) << depth;
+    EXPECT_LE(all.fractionOver16, 0.01) << depth;
+  }
+  EXPECT_FALSE(pictures[2] == pictures[3]) << "more than two reflections are seen";
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Parity, testing::Values("1-plane", "2-cylinder", "3-sphere"));

@@ -319,6 +319,10 @@ TEST(TreeLines, OfAnInstalledLevelEndWhereItsThingsAre) {
   EXPECT_GT(reflected, 5);
 }
 
+std::vector<VertexRay> sampled(const Level& level, const Mesh& original, const RaySettings& settings) {
+  return sampleVertexRays(makeVertexMap(level), original, settings.vertexCount);
+}
+
 TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
   int unmapped = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -331,7 +335,7 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
     settings.vertexCount = seed % 5 == 0 ? count + 7 : random.integer(1, 60);
     settings.hideNoHit = random.integer(0, 1) == 1;
     settings.thickness = 3;
-    const auto lines = makeVertexRayLines(level, *original, settings, 0);
+    const auto lines = makeVertexRayLines(sampled(level, *original, settings), settings, 0);
     std::size_t next = 0;
     std::set<int> seen;
     const int wanted = std::min(settings.vertexCount, count);
@@ -367,11 +371,11 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
 TEST(VertexRayLines, NoneOfNothing) {
   const Level level;
   RaySettings settings;
-  EXPECT_TRUE(makeVertexRayLines(level, {}, settings, 0).empty());
-  EXPECT_EQ(vertexRayAnimationSeconds(level, {}, settings), 0);
+  EXPECT_TRUE(makeVertexRayLines(sampled(level, {}, settings), settings, 0).empty());
+  EXPECT_EQ(vertexRayAnimationSeconds(sampled(level, {}, settings), settings), 0);
   for (const int count : {0, -3}) {
     settings.vertexCount = count;
-    EXPECT_TRUE(makeVertexRayLines(level, *placedOriginal(level), settings, 0).empty());
+    EXPECT_TRUE(makeVertexRayLines(sampled(level, *placedOriginal(level), settings), settings, 0).empty());
   }
 }
 
@@ -389,19 +393,19 @@ TEST(VertexRayAnimation, GrowsFromTheEyeOverTheMirror) {
     settings.hideNoHit = random.integer(0, 1) == 1;
     RaySettings still = settings;
     still.animate = false;
-    EXPECT_EQ(vertexRayAnimationSeconds(level, *original, still), 0);
-    const auto complete = makeVertexRayLines(level, *original, still, 0);
-    const double end = vertexRayAnimationSeconds(level, *original, settings);
+    EXPECT_EQ(vertexRayAnimationSeconds(sampled(level, *original, settings), still), 0);
+    const auto complete = makeVertexRayLines(sampled(level, *original, settings), still, 0);
+    const double end = vertexRayAnimationSeconds(sampled(level, *original, settings), settings);
     ASSERT_EQ(end > 0, !complete.empty());
-    EXPECT_EQ(makeVertexRayLines(level, *original, settings, end * (1 + 1e-12)), complete);
-    EXPECT_TRUE(makeVertexRayLines(level, *original, settings, 0).empty());
+    EXPECT_EQ(makeVertexRayLines(sampled(level, *original, settings), settings, end * (1 + 1e-12)), complete);
+    EXPECT_TRUE(makeVertexRayLines(sampled(level, *original, settings), settings, 0).empty());
     if (complete.empty()) continue;
     if (settings.sequential) {
       EXPECT_NEAR(end, totalLength(complete) / settings.speed, 1e-9 * (1 + end));
     }
     double before = 0;
     for (int step = 1; step <= 20; ++step) {
-      const auto lines = makeVertexRayLines(level, *original, settings, end * step / 20);
+      const auto lines = makeVertexRayLines(sampled(level, *original, settings), settings, end * step / 20);
       EXPECT_GT(totalLength(lines), before);
       before = totalLength(lines);
       for (const Line& line : lines) {
@@ -415,8 +419,8 @@ TEST(VertexRayAnimation, GrowsFromTheEyeOverTheMirror) {
       }
     }
     settings.speed = 0;
-    EXPECT_EQ(vertexRayAnimationSeconds(level, *original, settings), 0);
-    EXPECT_TRUE(makeVertexRayLines(level, *original, settings, 5).empty());
+    EXPECT_EQ(vertexRayAnimationSeconds(sampled(level, *original, settings), settings), 0);
+    EXPECT_TRUE(makeVertexRayLines(sampled(level, *original, settings), settings, 5).empty());
   }
 }
 
