@@ -35,7 +35,6 @@ bool areAxes(const Axes& axes) {
 }
 
 // ---- The mirror: its middle, axes and points
-// -----------------------------------------------------------------------
 
 // x along the first edge, y through the mirror, z up its side: the scene's axes for an upright mirror.
 Axes axesOf(const PlaneMirror& plane) {
@@ -109,7 +108,6 @@ Box mirrorBox(const MirrorShape& shape) {
 }
 
 // ---- Any selection
-// --------------------------------------------------------------------------------------------------
 
 // x to the right of the image, y ahead, z up.
 Axes axesOf(const Camera& camera) {
