@@ -10,7 +10,7 @@
 
 #include "app/shot.h"
 #include "cli/program.h"
-#include "desk_fixture.h"
+#include "gui_fixture.h"
 #include "geometry/mesh_files.h"
 #include "gl/texture.h"
 #include "panels/actions.h"

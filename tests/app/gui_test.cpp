@@ -7,7 +7,7 @@
 
 #include "app/state_log.h"
 #include "cli/program.h"
-#include "desk_fixture.h"
+#include "gui_fixture.h"
 #include "level/json.h"
 #include "level/level_json.h"
 #include "panels/actions.h"

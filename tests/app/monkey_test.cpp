@@ -15,7 +15,7 @@
 #include <imgui.h>
 
 #include "cli/program.h"
-#include "desk_fixture.h"
+#include "gui_fixture.h"
 #include "level/level_json.h"
 #include "panels/actions.h"
 #include "panels/dialog.h"
