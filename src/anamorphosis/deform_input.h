@@ -5,22 +5,19 @@
 #include <cstdint>
 #include <memory>
 
+#include "anamorphosis/vertex_map.h"
 #include "geometry/mesh.h"
 #include "optics/camera.h"
-#include "optics/mistakes.h"
-#include "optics/optic.h"
 
 namespace anamorph {
 
 struct DeformInput {
   std::shared_ptr<const Mesh> original;  ///< in scene coordinates
-  Optic optic;
-  Camera camera;                       ///< the eye; its image is what the tolerance is measured in
+  VertexMap map;                       ///< with mistakes the original's own vertices are used
+  Camera camera;                       ///< at the map's eye; its image is what the tolerance is measured in
   int imageSize = 512;                 ///< height of that image in pixels
-  double depthScale = 1;               ///< k
   double tolerancePixels = 0.25;       ///< 0: the original's own vertices
   std::size_t maxTriangles = 2000000;  ///< refinement stops there
-  Mistakes mistakes;                   ///< with any the original's own vertices are used
 
   bool operator==(const DeformInput&) const = default;
 };

@@ -31,10 +31,8 @@ struct Sculpture {
 /// left out. A cancelled run returns an empty sculpture.
 Sculpture makeSculpture(const DeformInput& input, int threads = 1, const Progress& progress = {});
 
-/// The sculpture of a drag: the same triangles and sources, all points mapped anew through a changed optic,
-/// eye or depth scale, the original's points given for every vertex. Triangles stay, so corners that are not
-/// mapped any more are left at their original's place with their status telling so.
-void remapSculpture(const Optic& optic, const Point& eye, double depthScale, const PointArray& original,
-                    Sculpture& sculpture, int threads = 1, const Mistakes& mistakes = {});
+/// The sculpture of a drag: the same triangles and sources, all of sculpture.original mapped anew. Triangles stay,
+/// so corners that are not mapped any more are left at their original's place with their status telling so.
+void remapSculpture(const VertexMap& map, Sculpture& sculpture, int threads = 1);
 
 }  // namespace anamorph

@@ -55,9 +55,8 @@ struct Construction {
 };
 
 /// Everything finite, whatever became of the ray.
-Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale,
-                              const Mistakes& mistakes = {});
-/// With the level's mirror, eye, depth scale and mistakes.
-Construction makeConstruction(const Level& level, const Point& original);
+Construction makeConstruction(const VertexMap& map, const Point& original);
+/// With the level's map.
+Construction makeConstruction(const LevelScene& level, const Point& original);
 
 }  // namespace anamorph

@@ -19,13 +19,8 @@ void extendBy(Box& box, const Box& other) {
   box.extend(other.max);
 }
 
-Box boxOf(const PreparedMesh& mesh) {
-  return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
-}
-
 Box mirrorBox(const Level& level) {
-  if (findShapeProblem(level.optic.shape)) return {};
-  return boundingBox(tessellate(level.optic.shape).positions);
+  return findShapeProblem(level.optic.shape()) ? Box{} : boxOf(level.optic.shape());
 }
 
 // Keeps what is to be found again when the session has gone from this level to another.
@@ -100,7 +95,8 @@ void takeOverView(Editor& editor) {
 }
 
 ViewPose rtCameraPose(const Editor& editor) {
-  return lookThroughPose(editor.session.level().camera, std::max(1, editor.viewWidth),
+  const Level& level = editor.session.level();
+  return lookThroughPose(level.camera, level.grid, std::max(1, editor.viewWidth),
                          std::max(1, editor.viewHeight));
 }
 
@@ -115,11 +111,11 @@ void toggleLookThrough(Editor& editor) {
 }
 
 Box originalBox(const Editor& editor) {
-  return boxOf(editor.updater.products().original);
+  return editor.updater.result().original.box;
 }
 
 Box sculptureBox(const Editor& editor) {
-  return boxOf(editor.updater.products().sculpture.prepared);
+  return editor.updater.result().sculpture.prepared.box;
 }
 
 Box boxOf(const Editor& editor, const Selection& selection) {
@@ -134,16 +130,16 @@ Box boxOf(const Editor& editor, const Selection& selection) {
 }
 
 std::optional<Construction> currentConstruction(const Editor& editor) {
-  const Products& products = editor.updater.products();
-  if (!editor.point || !products.original.mesh) return std::nullopt;
-  if (!isOn(*products.original.mesh, *editor.point)) return std::nullopt;
-  if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
-  return makeConstruction(products.level, pointOn(*products.original.mesh, *editor.point));
+  const LevelResult& result = editor.updater.result();
+  if (!editor.point || !result.original.mesh) return std::nullopt;
+  if (!isOn(*result.original.mesh, *editor.point)) return std::nullopt;
+  if (findShapeProblem(result.level.optic.shape())) return std::nullopt;
+  return makeConstruction(result.level, pointOn(*result.original.mesh, *editor.point));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {
-  const Products& products = editor.updater.products();
-  return editor.morph.at(editor.display.morph, products.level, products.sculpture,
+  const LevelResult& result = editor.updater.result();
+  return editor.morph.at(editor.display.morph, result.level, result.sculpture,
                          std::min(hardwareThreads(), 4));
 }
 

@@ -137,7 +137,7 @@ void Session::reset() {
 
 std::string windowTitle(const Session& session) {
   const std::filesystem::path& path = session.path();
-  std::string title = tr(session.level().title);
+  std::string title = tr(session.level().text->title);
   if (!path.empty() && !session.isInstalled()) {
     const std::string file = path.filename().string();
     title = title.empty() ? file : title + " (" + file + ")";

@@ -15,7 +15,6 @@
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "geometry/mesh_files.h"
-#include "pipeline/evaluator.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -37,7 +36,7 @@ void checkEnding(const ExportRequest& request) {
   }
 }
 
-std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const Arrangement& arrangement) {
+std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
   if (!arrangement.plate) return warnings;
   const double hidden = fractionHiddenByPlate(finished, arrangement);
@@ -56,7 +55,7 @@ std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const 
   return warnings;
 }
 
-std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
                                             const Progress& progress) {
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
@@ -70,14 +69,14 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
   file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
-                             shapeName(finished.level.optic.shape), surfaceName(finished.level.optic),
+                             shapeName(finished.level.optic.shape()), surfaceName(finished.level.optic),
                              request.millimetresPerUnit);
   if (progress.cancelled()) return std::nullopt;
   saveMesh(request.path, mesh, file);
   return summary;
 }
 
-std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeSheet(const LevelResult& finished, const ExportRequest& request,
                                         const Progress& progress) {
   const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   if (!progress.update(0.3)) return std::nullopt;
@@ -92,7 +91,7 @@ std::optional<ExportSummary> writeSheet(const FinishedLevel& finished, const Exp
       findPlateWarnings(finished, arrangement)};
 }
 
-std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request,
                                        const Progress& progress) {
   const bool ofVertices = request.vertexRays.has_value();
   const auto text =
@@ -103,9 +102,9 @@ std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const Expo
   return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
 }
 
-std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeMatch(const LevelResult& finished, const ExportRequest& request,
                                         int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
+  const auto [width, height] = pictureSize(finished.level.grid, request.size);
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
@@ -127,9 +126,9 @@ std::optional<ExportSummary> writeMatch(const FinishedLevel& finished, const Exp
   return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
 }
 
-std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
                                           int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
+  const auto [width, height] = pictureSize(finished.level.grid, request.size);
   Match match;
   const bool compares = request.picture == PictureKind::difference;
   if (compares) match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
@@ -158,7 +157,7 @@ const char* exportEndings(ExportKind kind) {
   return endings[static_cast<int>(kind)];
 }
 
-std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
                                          int threads, const Progress& progress) {
   checkEnding(request);
   CHECK(finished.sculpture.sculpture && !finished.sculpture.sculpture->mesh.triangles.empty());
@@ -178,12 +177,12 @@ std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const Ex
   return writePicture(finished, request, threads, progress);
 }
 
-std::optional<PrintCheck> checkSculpture(const FinishedLevel& finished, double millimetresPerUnit,
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit,
                                          int threads, const Progress& progress) {
   return checkPrint(makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit), threads, progress);
 }
 
-std::size_t countNotMapped(const FinishedLevel& finished) {
+std::size_t countNotMapped(const LevelResult& finished) {
   const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   return std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
 }

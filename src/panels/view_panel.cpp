@@ -165,7 +165,7 @@ ShownGizmo currentGizmo(const Editor& editor, const UiState& ui) {
 
 Pick pickAt(Editor& editor, const UiState& ui, const Pixel& pixel) {
   const PreparedSculpture shown = shownSculpture(editor);
-  return pick({projectionOf(editor), editor.updater.products().level, editor.updater.products().original,
+  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original,
                shown, editor.display, editor.selection, ui.scale},
               pixel);
 }

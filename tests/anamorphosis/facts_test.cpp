@@ -37,14 +37,14 @@ constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sp
 // The normal at a point of the mirror, computed here from the shape alone.
 Direction normalAt(const RandomScene& scene, const Point& q) {
   Direction n;
-  if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape)) {
+  if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape())) {
     n = glm::normalize(
         glm::cross(plane->corners[1] - plane->corners[0], plane->corners[3] - plane->corners[0]));
-  } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape)) {
+  } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape())) {
     const Vector axis = tube->top - tube->bottom, w = q - tube->bottom;
     n = glm::normalize(w - glm::dot(w, axis) / glm::dot(axis, axis) * axis);
   } else {
-    n = glm::normalize(q - std::get<SphereMirror>(scene.optic.shape).centre);
+    n = glm::normalize(q - std::get<SphereMirror>(scene.optic.shape()).centre);
   }
   return glm::dot(n, scene.eye - q) > 0 ? n : -n;
 }
@@ -99,7 +99,7 @@ TEST(Facts, F2DeeperStaysDeeper) {
 TEST(Facts, F3PlaneMirrorGivesTheMirrorImage) {
   std::size_t otherEyes = 0;
   forScenes({ShapeKind::plane}, [&](const RandomScene& scene, Random& random) {
-    const auto& plane = std::get<PlaneMirror>(scene.optic.shape);
+    const auto& plane = std::get<PlaneMirror>(scene.optic.shape());
     const Direction n = planeNormal(plane);
     for (int i = 0; i < 10; ++i) {
       const Point p = makeRandomOriginal(scene, random, 0.05);
@@ -120,7 +120,7 @@ TEST(Facts, F3PlaneMirrorGivesTheMirrorImage) {
 
 TEST(Facts, F4CylinderKeepsTheCoordinateAlongItsAxis) {
   forScenes({ShapeKind::cylinder}, [](const RandomScene& scene, Random& random) {
-    const auto& tube = std::get<CylinderMirror>(scene.optic.shape);
+    const auto& tube = std::get<CylinderMirror>(scene.optic.shape());
     const Direction axis = glm::normalize(tube.top - tube.bottom);
     const Point p = makeRandomOriginal(scene, random, 0.05);
     const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, 1);
@@ -139,7 +139,7 @@ TEST(Facts, F5EyeMirrorPointSculptureAndNormalAreInOnePlane) {
                     out = glm::normalize(ray.sculpture - ray.mirror);
     EXPECT_NEAR(glm::dot(glm::cross(in, out), normalAt(scene, ray.mirror)), 0, 1e-12);
     EXPECT_LT(glm::length(ray.normal - normalAt(scene, ray.mirror)), 1e-12);
-    if (const auto* sphere = std::get_if<SphereMirror>(&scene.optic.shape)) {
+    if (const auto* sphere = std::get_if<SphereMirror>(&scene.optic.shape())) {
       const Direction toCentre = glm::normalize(sphere->centre - ray.mirror);
       EXPECT_NEAR(glm::dot(glm::cross(in, out), toCentre), 0, 1e-12);
     }

@@ -27,11 +27,11 @@ MatchInput matchInput(const DeformInput& deform, Sculpture sculpture, int size =
   return input;
 }
 
-DeformInput makeInput(MirrorShape mirror, Mesh mesh, const Point& position, double scale) {
+DeformInput makeInput(Shape mirror, Mesh mesh, const Point& position, double scale) {
   mesh.positions = mapPoints(mesh.positions, [&](const Point& p) { return position + scale * p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(std::move(mesh));
-  input.optic.shape = mirror;
+  input.optic.shape() = mirror;
   input.camera.target = position;
   input.depthScale = 0.4;
   input.imageSize = 128;
@@ -107,7 +107,7 @@ BruteFigures bruteFigures(const MatchInput& input) {
       const Pixel centre = matchSample(x, y);
       const Ray ray = projection.rayThrough(centre);
       const bool direct = bruteForce(*input.original, ray).t < infinity;
-      const auto mirror = intersect(input.optic.shape, ray);
+      const auto mirror = intersect(input.optic.shape(), ray);
       const bool blocked = bruteForce(s.mesh, ray).t < (mirror ? mirror->t : infinity);
       bool reflected = false;
       if (mirror && !blocked) {
@@ -263,7 +263,7 @@ TEST(Match, EmptySculptureScoresNothing) {
 
 TEST(Match, MirrorTooSmallIsMissed) {
   DeformInput deform = cylinderInput(box());
-  deform.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 0.8};
+  deform.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 0.8};
   const MatchReport report = reportOf(deform, makeSculpture(deform));
   EXPECT_GT(report.missedShare, 0.2);
   EXPECT_NE(gradeOf(report), MatchGrade::excellent);
@@ -272,7 +272,7 @@ TEST(Match, MirrorTooSmallIsMissed) {
 TEST(Match, TheThesisFormulasScoreWorse) {
   // Each published mistake alone (method section 3): direction, distance, and the cylinder's normal.
   const DeformInput deform = cylinderInput(box());
-  const auto& tube = std::get<CylinderMirror>(deform.optic.shape);
+  const auto& tube = std::get<CylinderMirror>(deform.optic.shape());
   for (int mistake = 0; mistake < 3; ++mistake) {
     SCOPED_TRACE(mistake);
     Sculpture s = makeSculpture(deform);

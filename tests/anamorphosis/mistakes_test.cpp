@@ -56,7 +56,7 @@ TEST(Mistakes, TheNormalComesFromTheMiddleAsOfASphere) {
 }
 
 TEST(Mistakes, TheNormalIsRightOnPlaneAndSphere) {
-  for (const MirrorShape& shape : {MirrorShape(PlaneMirror{}), MirrorShape(SphereMirror{{0, 0, 0}, 1})}) {
+  for (const Shape& shape : {Shape(PlaneMirror{}), Shape(SphereMirror{{0, 0, 0}, 1})}) {
     const Optic optic{OpticKind::mirror, shape};
     const Point p{0.1, 2, 0.2}, e{0.2, -4, 0.7};
     EXPECT_EQ(mapPoint(optic, e, p, 1, {.normal = true}).status, PathStatus::mapped);

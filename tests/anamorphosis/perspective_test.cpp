@@ -18,7 +18,7 @@ using namespace anamorph::testing;
 
 // The floor, 40 x 40.
 Optic floorCanvas() {
-  return {OpticKind::none,
+  return {OpticKind::canvas,
           PlaneMirror{{Point(-20, -20, 0), Point(20, -20, 0), Point(20, 20, 0), Point(-20, 20, 0)}}};
 }
 
@@ -28,7 +28,7 @@ TEST(Perspective, EveryPointStaysOnItsViewRay) {
     Random random(seed);
     for (const ShapeKind kind : allShapeKinds) {
       RandomScene scene = makeRandomScene(kind, random);
-      scene.optic.kind = OpticKind::none;
+      scene.optic.kind = OpticKind::canvas;
       const Point p = makeRandomOriginal(scene, random);
       const double k = random.uniform(0.01, 1);
       const MappedPoint mapped = mapPoint(scene.optic, scene.eye, p, k);

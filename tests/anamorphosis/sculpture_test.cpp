@@ -23,7 +23,7 @@ std::shared_ptr<const Mesh> placed(Mesh mesh, const Point& position, double scal
 DeformInput cylinderInput(std::shared_ptr<const Mesh> original) {
   DeformInput input;
   input.original = std::move(original);
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  input.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
   input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 0.8};
   return input;
@@ -109,7 +109,7 @@ TEST(Sculpture, FinerToleranceGivesMoreTriangles) {
 TEST(Sculpture, PlaneMirrorNeedsNoRefinement) {
   DeformInput input;
   input.original = placed(makeBox({6, 2, 2}, 1), {0, 3.4, 1});
-  input.optic.shape = PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}};
+  input.optic.shape() = PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}};
   input.camera.eye = {0, -11.9, 6.5};
   input.camera.target = {0, 3.4, 1};
   EXPECT_EQ(makeSculpture(input).mesh.triangles.size(), 12u);
@@ -166,7 +166,7 @@ TEST(Sculpture, OverhangingOriginalIsCutAtTheMirrorsEdge) {
 TEST(Sculpture, MirrorSmallerThanATriangleIsFound) {
   DeformInput input;
   input.original = placed(makeBox({20, 0.1, 20}, 1), {0, 6, 0});
-  input.optic.shape = SphereMirror{{0.7, 0, 0.4}, 0.3};
+  input.optic.shape() = SphereMirror{{0.7, 0, 0.4}, 0.3};
   input.camera.eye = {0, -12, 0};
   input.camera.target = {0, 0, 0};
   const Sculpture s = makeSculpture(input);
@@ -248,7 +248,7 @@ TEST(Sculpture, RandomScenes) {
       const Sculpture s = makeSculpture(input);
       expectConsistent(input, s);
       const bool whole = s.originalStatus[0] == input.original->positions.size();
-      if (whole && !s.mesh.triangles.empty() && std::get_if<PlaneMirror>(&scene.optic.shape)) {
+      if (whole && !s.mesh.triangles.empty() && std::get_if<PlaneMirror>(&scene.optic.shape())) {
         EXPECT_TRUE(isClosed(s.mesh));
       }
     }

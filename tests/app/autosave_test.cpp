@@ -214,7 +214,7 @@ TEST_F(Autosaves, OfALevelThatNoFileHoldsKeepTheOneBefore) {
   session.edit(numbered(1));
   autosave.writeNow(session);
   Level broken = numbered(2);
-  broken.optic.shape = SphereMirror{{0, 0, 0}, 0};
+  broken.optic.shape() = SphereMirror{{0, 0, 0}, 0};
   session.edit(broken);
   EXPECT_NO_THROW(autosave.writeNow(session));
   for (const auto& entry : fs::directory_iterator(folder)) {

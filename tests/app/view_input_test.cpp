@@ -105,7 +105,7 @@ TEST_F(ViewInput, ShowsVertexRaysAtFirst) {
 }
 
 TEST_F(ViewInput, APickedPointHasItsConstructionAlone) {
-  editor.point = pickedVertex(*editor.updater.products().original.mesh, 5);
+  editor.point = pickedVertex(*editor.updater.result().original.mesh, 5);
   ASSERT_TRUE(editor.point);
   const std::size_t construction = rayCount();
   EXPECT_GT(construction, 0u);
@@ -154,10 +154,10 @@ TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
 
 TEST_F(ViewInput, NothingIsShownOfASculptureThatCannotBe) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape()).positions).centre();
   editor.session.edit(level);
   finish();
-  ASSERT_TRUE(editor.updater.products().problem);
+  ASSERT_TRUE(editor.updater.result().problem);
   for (const RaySource source : {RaySource::vertices, RaySource::pixels}) {
     editor.rays.source = source;
     advance(editor, 0);

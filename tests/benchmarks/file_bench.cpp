@@ -40,7 +40,7 @@ void fileToFile(benchmark::State& state) {
   const LargeModel model;
   const fs::path out = fs::temp_directory_path() / "anamorph-bench-out.obj";
   DeformInput input;
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 8}, 3};
+  input.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 8}, 3};
   input.camera.eye = {0, -12, 8};
   input.tolerancePixels = 0;
   for (auto _ : state) {

@@ -20,7 +20,7 @@ void liveStep(benchmark::State& state) {
   knot.positions = mapPoints(knot.positions, [](const Point& p) { return Point(0, 5.4, 1.5) + p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(knot);
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  input.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
   input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 1.5};
   input.tolerancePixels = 0;

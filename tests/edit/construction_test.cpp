@@ -93,7 +93,7 @@ TEST(Construction, HasTheNumbersOfTheLesson) {
 }
 
 TEST(Construction, ExplainsEveryOtherStatus) {
-  Optic plane{OpticKind::mirror, Level{}.optic.shape};
+  Optic plane{OpticKind::mirror, Level{}.optic.shape()};
   Optic sphere{OpticKind::mirror, SphereMirror{{0, 0, 0}, 2}};
   struct Case {
     Optic optic;

@@ -200,7 +200,7 @@ TEST(Editor, SelectionsThatAreGoneAreDropped) {
 
   Level level = editor.session.level();
   level.lights.resize(1);
-  level.camera.gridRows = 4;
+  level.grid.rows = 4;
   editor.session.edit(level);
   advance(editor, 0);
   EXPECT_EQ(editor.selection, Selection());
@@ -283,7 +283,7 @@ TEST(Editor, TreesAreMadeForWhatIsShown) {
   finish(editor);
   const auto hasTrees = [&] {
     advance(editor, 0);
-    return editor.updater.products().trees != nullptr;
+    return editor.updater.result().trees != nullptr;
   };
   EXPECT_FALSE(hasTrees()) << "vertex rays need none";
   editor.cell = GridCell{1, 2};
@@ -323,7 +323,7 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
   EXPECT_FALSE(currentConstruction(editor)) << "nothing is there yet";
   finish(editor);
   for (int i = 0; i < 3; ++i) {
-    const Products& products = editor.updater.products();
+    const LevelResult& products = editor.updater.result();
     const auto construction = currentConstruction(editor);
     ASSERT_TRUE(construction);
     const Level& level = editor.session.level();
@@ -338,7 +338,7 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
     advance(editor, 0.016);
   }
   Level flat = editor.session.level();
-  std::get<CylinderMirror>(flat.optic.shape).radius = 0;
+  std::get<CylinderMirror>(flat.optic.shape()).radius = 0;
   editor.session.change(flat);
   advance(editor, 0.016);
   EXPECT_FALSE(currentConstruction(editor)) << "there is no mirror";
@@ -353,7 +353,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
   openQuick(editor, "2-cylinder");
   EXPECT_EQ(shownSculpture(editor).sculpture, nullptr);
   finish(editor);
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   const Sculpture& whole = *products.sculpture.sculpture;
   EXPECT_EQ(shownSculpture(editor), products.sculpture);
   editor.display.morph = 0;
@@ -391,7 +391,7 @@ TEST(Editor, MorphFollowsADrag) {
     level.original.placement.position.x += 0.6;  // until a part of it is not mapped
     editor.session.change(level);
     advance(editor, 0.016);
-    const Sculpture& whole = *editor.updater.products().sculpture.sculpture;
+    const Sculpture& whole = *editor.updater.result().sculpture.sculpture;
     const PreparedSculpture shown = shownSculpture(editor);
     const Sculpture& on = *shown.sculpture;
     EXPECT_EQ(on.original, whole.original);
@@ -417,7 +417,7 @@ TEST(Editor, MorphFollowsADrag) {
       EXPECT_EQ(found, mapped) << t;
     }
     EXPECT_EQ(unmapped > 0,
-              whole.originalStatus[0] < editor.updater.products().original.mesh->positions.size());
+              whole.originalStatus[0] < editor.updater.result().original.mesh->positions.size());
     EXPECT_TRUE(i < 5 || unmapped > 0);
   }
 }
@@ -432,7 +432,7 @@ TEST(Editor, MorphTakesAnotherOriginal) {
   level.original.shape = SphereShape{1, 12};
   editor.session.edit(level);
   finish(editor);
-  const Sculpture& whole = *editor.updater.products().sculpture.sculpture;
+  const Sculpture& whole = *editor.updater.result().sculpture.sculpture;
   EXPECT_EQ(shownSculpture(editor).sculpture->mesh.triangles, whole.mesh.triangles);
   editor.display.morph = 0;
   EXPECT_EQ(shownSculpture(editor).sculpture->mesh.positions, whole.original);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-double widthOf(const MirrorShape& shape) {
+double widthOf(const Shape& shape) {
   const auto* tube = std::get_if<CylinderMirror>(&shape);
   return tube ? 2 * tube->radius : 2 * std::get<SphereMirror>(shape).radius;
 }
@@ -27,8 +27,8 @@ TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
                      std::to_string(seed));
         Random random(seed);
         const Level level = makeRandomLevel(from, random);
-        const MirrorShape& old = level.optic.shape;
-        const MirrorShape made = mirrorOfKind(to, old, level.camera.eye);
+        const Shape& old = level.optic.shape();
+        const Shape made = mirrorOfKind(to, old, level.camera.eye);
         ASSERT_EQ(made.index(), to);
         if (old.index() == to) {
           EXPECT_EQ(made, old);
@@ -61,8 +61,8 @@ TEST(MirrorOfKind, OfTheLevelsMirrorIsAsWideAndHigh) {
 TEST(MirrorOfKind, IsSoundWhateverTheOldOneIs) {
   for (const Level& level : makeAbsurdLevels()) {
     for (std::size_t to = 0; to < 3; ++to) {
-      const MirrorShape made = mirrorOfKind(to, level.optic.shape, level.camera.eye);
-      if (to != level.optic.shape.index()) {
+      const Shape made = mirrorOfKind(to, level.optic.shape(), level.camera.eye);
+      if (to != level.optic.shape().index()) {
         EXPECT_EQ(findShapeProblem(made), std::nullopt) << to;
       }
     }

@@ -309,7 +309,7 @@ TEST(FailedSave, OfALevelThatCouldNotBeOpenedSaysWhy) {
   Session session;
   session.startNew(numbered(0));
   Level broken;
-  broken.optic.shape = SphereMirror{{0, 0, 0}, 0};
+  broken.optic.shape() = SphereMirror{{0, 0, 0}, 0};
   session.edit(broken);
   expectNothingLost(session, folder / "", folder / "a.json", "radius");
   EXPECT_FALSE(fs::exists(folder / "a.json"));

@@ -185,7 +185,7 @@ TEST(Session, OpeningForgetsTheHistoryAndIsNoticed) {
   EXPECT_GT(session.generation(), generation);
   EXPECT_FALSE(session.canUndo() || session.canRedo() || session.changing() || session.modified());
   EXPECT_EQ(session.path(), levels / "3-sphere.json");
-  EXPECT_TRUE(std::holds_alternative<SphereMirror>(session.level().optic.shape));
+  EXPECT_TRUE(std::holds_alternative<SphereMirror>(session.level().optic.shape()));
 }
 
 TEST(Session, FailingToOpenLeavesEverything) {

@@ -67,7 +67,7 @@ TEST(LevelJson, ReadsEveryField) {
   Level expected;
   expected.title = "Every field";
   expected.description = "Two\nlines";
-  expected.optic.shape = CylinderMirror{{1, 2, 3}, {4, 5, 6}, 7};
+  expected.optic.shape() = CylinderMirror{{1, 2, 3}, {4, 5, 6}, 7};
   expected.mirrorLook = {Color(0.1, 0.2, 0.3), 0.4};
   expected.camera = {Point(1, -12, 8), Point(2, 4, 6), Vector(0, 1, 0), 33, 9, 7, 1.5};
   expected.original = {TorusKnotShape{3, 4, 0.2, 100, 10},
@@ -121,9 +121,9 @@ TEST(LevelJson, UnknownKeysWarnAndSurvive) {
 TEST(LevelJson, AKeyThatBecameKnownIsWrittenOnce) {
   Level level;
   level.unknownKeys = {{"/optic/shape", "radius", "5"}};
-  level.optic.shape = SphereMirror{{0, 0, 4}, 4};
+  level.optic.shape() = SphereMirror{{0, 0, 4}, 4};
   const LoadedLevel loaded = parseLevel(formatLevel(level), "l.json");
-  EXPECT_EQ(loaded.level.optic.shape, level.optic.shape);
+  EXPECT_EQ(loaded.level.optic.shape(), level.optic.shape());
   EXPECT_TRUE(loaded.warnings.empty());
 }
 

@@ -17,7 +17,7 @@ class RandomLevel {
     Level level;
     level.title = text();
     level.description = text();
-    level.optic = {coin() ? OpticKind::mirror : OpticKind::none, mirror()};
+    level.optic = {coin() ? OpticKind::mirror : OpticKind::canvas, mirror()};
     level.mirrorLook = {color(), fraction()};
     level.camera = camera();
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
@@ -73,7 +73,7 @@ class RandomLevel {
     const double ambient = fraction(), diffuse = fraction(), specular = fraction();
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
-  MirrorShape mirror() {
+  Shape mirror() {
     switch (whole(0, 2)) {
       case 0:
         return PlaneMirror{{point(), point(), point(), point()}};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 struct Published {
   const char* name;
   Point eye;
-  MirrorShape mirror;
+  Shape mirror;
   Point mesh;
 };
 
@@ -38,7 +38,7 @@ TEST_P(PublishedScenes, LoadAsTheyAre) {
   EXPECT_EQ(level.camera.target, scene.mesh);
   EXPECT_EQ(level.camera.up, Vector(0, 0, 1));
   EXPECT_EQ(level.camera.fovDegrees, 40);
-  EXPECT_TRUE(level.optic.shape == scene.mirror);
+  EXPECT_TRUE(level.optic.shape() == scene.mirror);
   EXPECT_TRUE(level.original.shape == OriginalShape{FileShape{}});
   EXPECT_EQ(level.original.placement, Placement{.position = scene.mesh});
   EXPECT_FALSE(level.original.unitize);

@@ -59,7 +59,7 @@ TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
       SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
       Random random(seed);
       const RandomScene scene = makeRandomScene(kind, random);
-      const auto hit = intersect(scene.optic.shape, {scene.eye, scene.onMirror - scene.eye});
+      const auto hit = intersect(scene.optic.shape(), {scene.eye, scene.onMirror - scene.eye});
       ASSERT_TRUE(hit);
       EXPECT_NEAR(hit->t, 1, 1e-12);
       EXPECT_LT(glm::length(hit->point - scene.onMirror), 1e-12 * 40);
@@ -73,19 +73,19 @@ TEST(MirrorShapes, TessellationLiesOnTheSurface) {
   Random random(1);
   for (const ShapeKind kind : allShapeKinds) {
     const RandomScene scene = makeRandomScene(kind, random);
-    const Mesh mesh = tessellate(scene.optic.shape, 24);
+    const Mesh mesh = tessellate(scene.optic.shape(), 24);
     ASSERT_FALSE(mesh.triangles.empty());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Point p = mesh.positions[i];
       double off = 0;
-      if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape)) {
+      if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape())) {
         off = glm::dot(p - plane->corners[0], planeNormal(*plane));
-      } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape)) {
+      } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape())) {
         const Direction axis = glm::normalize(tube->top - tube->bottom);
         const Vector w = p - tube->bottom;
         off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
       } else {
-        const auto& sphere = std::get<SphereMirror>(scene.optic.shape);
+        const auto& sphere = std::get<SphereMirror>(scene.optic.shape());
         off = glm::length(p - sphere.centre) - sphere.radius;
       }
       EXPECT_NEAR(off, 0, 1e-12);
@@ -98,8 +98,8 @@ TEST(MirrorProblems, SoundShapesHaveNone) {
     for (unsigned seed = 0; seed < 100; ++seed) {
       Random random(seed);
       const RandomScene scene = makeRandomScene(kind, random);
-      EXPECT_EQ(findShapeProblem(scene.optic.shape), std::nullopt);
-      EXPECT_EQ(findEyeProblem(scene.optic.shape, scene.eye), std::nullopt);
+      EXPECT_EQ(findShapeProblem(scene.optic.shape()), std::nullopt);
+      EXPECT_EQ(findEyeProblem(scene.optic.shape(), scene.eye), std::nullopt);
     }
   }
 }
@@ -107,7 +107,7 @@ TEST(MirrorProblems, SoundShapesHaveNone) {
 TEST(MirrorProblems, BadShapesAreNamed) {
   const Point a(0, 0, 0), b(1, 0, 0), c(1, 0, 1), d(0, 0, 1);
   const struct {
-    MirrorShape shape;
+    Shape shape;
     const char* message;
   } table[] = {
       {PlaneMirror{{a, a, a, a}}, "expected four corners that span an area, got a quad of area 0"},
@@ -132,7 +132,7 @@ TEST(MirrorProblems, BadShapesAreNamed) {
 
 TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
   const struct {
-    MirrorShape shape;
+    Shape shape;
     Point eye;
     const char* message;
   } table[] = {

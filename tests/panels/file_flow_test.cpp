@@ -311,7 +311,7 @@ TEST_F(FileFlow, AFailedSaveSaysWhyAndStays) {
 }
 
 TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
-  const Box box = boundingBox(editor.updater.products().original.mesh->positions);
+  const Box box = boundingBox(editor.updater.result().original.mesh->positions);
   const Level before = editor.session.level();
   fs::copy_file(fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj", folder_ / "cube.obj");
   acceptFiles({folder_ / "cube.obj"}, editor, ui);
@@ -319,10 +319,10 @@ TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
   EXPECT_EQ(std::get<FileShape>(editor.session.level().original.shape).path, "cube.obj")
       << "relative to the level";
   editor.updater.finish(editor.session, {});
-  const Box now = boundingBox(editor.updater.products().original.mesh->positions);
+  const Box now = boundingBox(editor.updater.result().original.mesh->positions);
   EXPECT_LT(glm::length(now.centre() - box.centre()), 1e-9);
   EXPECT_NEAR(now.size().z, 2, 1e-9);
-  EXPECT_EQ(editor.updater.products().problem, std::nullopt);
+  EXPECT_EQ(editor.updater.result().problem, std::nullopt);
   editor.session.undo();
   EXPECT_EQ(editor.session.level(), before) << "one step";
 }

@@ -33,12 +33,12 @@ TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
   std::vector<std::string> names;
   for (int i = 0; i < 4; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
   for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
-  for (const MirrorShape& shape :
-       {MirrorShape(PlaneMirror{}), MirrorShape(CylinderMirror{}), MirrorShape(SphereMirror{})}) {
+  for (const Shape& shape :
+       {Shape(PlaneMirror{}), Shape(CylinderMirror{}), Shape(SphereMirror{})}) {
     names.emplace_back(shapeName(shape));
   }
   names.emplace_back(surfaceName({OpticKind::mirror, {}}));
-  names.emplace_back(surfaceName({OpticKind::none, {}}));
+  names.emplace_back(surfaceName({OpticKind::canvas, {}}));
   for (const std::string& name : names) EXPECT_EQ(known.count(name), 1u) << name;
 }
 
@@ -184,7 +184,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   EXPECT_TRUE(hasSeen("Intensity"));
   for (std::size_t kind = 0; kind < 3; ++kind) {
     Level level = editor.session.level();
-    level.optic.shape = mirrorOfKind(kind, level.optic.shape, level.camera.eye);
+    level.optic.shape() = mirrorOfKind(kind, level.optic.shape(), level.camera.eye);
     editor.session.edit(std::move(level));
     editor.updater.finish(editor.session, {});
     openTab(editor, ui, PropertyTab::mirror);
@@ -203,7 +203,7 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
           if constexpr (requires { mirror.top; }) return 0.5 * (mirror.top + mirror.bottom);
           if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
         },
-        level.optic.shape);
+        level.optic.shape());
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
     openTab(editor, ui, PropertyTab::eye);

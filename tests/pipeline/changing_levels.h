@@ -37,14 +37,14 @@ inline std::shared_ptr<const Mesh> placedOriginal(const Level& level) {
 /// Eye, mirror, placement and depth scale a little or much elsewhere. findProblem may find one.
 inline Level changed(Level level, Random& random, double extent) {
   const Vector shift = random.point(0.3 * extent);
-  if (auto* plane = std::get_if<PlaneMirror>(&level.optic.shape)) {
+  if (auto* plane = std::get_if<PlaneMirror>(&level.optic.shape())) {
     for (Point& corner : plane->corners) corner += shift;
-  } else if (auto* cylinder = std::get_if<CylinderMirror>(&level.optic.shape)) {
+  } else if (auto* cylinder = std::get_if<CylinderMirror>(&level.optic.shape())) {
     cylinder->bottom += shift;
     cylinder->top += shift + random.point(0.1 * extent);
     cylinder->radius *= random.uniform(0.7, 1.3);
   } else {
-    auto& sphere = std::get<SphereMirror>(level.optic.shape);
+    auto& sphere = std::get<SphereMirror>(level.optic.shape());
     sphere.centre += shift;
     sphere.radius *= random.uniform(0.7, 1.3);
   }

@@ -31,7 +31,7 @@ inline Mesh makeCuboid(const Point& low, const Point& high) {
   return mesh;
 }
 
-inline OpticSurface makeMirror(const MirrorShape& shape) {
+inline OpticSurface makeMirror(const Shape& shape) {
   return {Optic{OpticKind::mirror, shape}, {0.9, 0.95, 1}, 0.8};
 }
 
@@ -70,7 +70,7 @@ inline SceneInput scaled(SceneInput input, double scale) {
     surface = makeSurface(surface.name, mesh, surface.material);
   }
   if (input.optic) {
-    auto& cylinder = std::get<CylinderMirror>(input.optic->optic.shape);
+    auto& cylinder = std::get<CylinderMirror>(input.optic->optic.shape());
     cylinder = {times(cylinder.bottom), times(cylinder.top), scale * cylinder.radius};
   }
   if (input.ground) {

@@ -11,7 +11,7 @@ namespace {
 
 using Content = GlTest;
 
-const FinishedLevel& cylinder() {
+const LevelResult& cylinder() {
   return finishedLevel("2-cylinder");
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using View = GlTest;
 
-const FinishedLevel& cylinder() {
+const LevelResult& cylinder() {
   return finishedLevel("2-cylinder");
 }
 
@@ -125,9 +125,9 @@ TEST_F(View, SurvivesNonsense) {
   inputs[2].pose.up = {0, 0, 0};
   inputs[3].pose.eye = {1e200, 0, 0};
   inputs[4].pose.fovDegrees = inf;
-  inputs[5].level.optic.shape = SphereMirror{{0, 0, 0}, -1};
-  inputs[6].level.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, nan}, 1};
-  inputs[7].level.optic.shape = SphereMirror{{0, 0, 0}, 1e30};
+  inputs[5].level.optic.shape() = SphereMirror{{0, 0, 0}, -1};
+  inputs[6].level.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, nan}, 1};
+  inputs[7].level.optic.shape() = SphereMirror{{0, 0, 0}, 1e30};
   inputs[8].level.camera.eye = {nan, inf, 0};
   inputs[9].level.lights.assign(100, PointLight{{nan, 0, 3}, Color(inf), 1e300});
   inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0, nan};
