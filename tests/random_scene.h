@@ -7,6 +7,7 @@
 
 #include "math/frame.h"
 #include "optics/optic.h"
+#include "shapes.h"
 
 namespace anamorph::testing {
 

@@ -175,7 +175,7 @@ void addBenchDragCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("LEVEL", options->level, "A level (a file, or the name of an installed one)")
       ->required();
   command->add_option("--frames", options->frames, "Frames of each drag (default 240)")
-      ->check(numberFrom(10, 100000));
+      ->check(numberIn(limits::benchFrames));
   addSizeOption(*command, options->size);
   command->add_flag("--json", common.json, "Results as a JSON object");
   addCommonOptions(*command, common);

@@ -37,12 +37,12 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
   command
       ->add_option("--ui-scale", options->uiScale,
                    "Size of text and controls, 0.75 to 3 (default: as the screen says)")
-      ->check(numberFrom(0.75, 3));
+      ->check(numberIn(limits::uiScale));
   command->add_option("--language", options->language, "Of the panels: en, nl, ... (default: as the system)");
   addSizeOption(*command, options->size);
   command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
   command->add_option("--step", options->step, "The step of the lesson to begin with, from 1 on")
-      ->check(numberFrom(1, 100));
+      ->check(numberIn(limits::stepNumber));
   command->add_flag("--present", options->present,
                     "The step in large letters and a mark around the mouse, for an audience (F3)");
   command->add_flag("--no-tour", options->noTour, "Do not show newcomers around");

@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "base/folder.h"
 #include "level/json_object.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
@@ -55,8 +56,8 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
         language && language->kind == JsonValue::Kind::string) {
       p.language = language->text;
     }
-    read(json, "uiScale", p.uiScale, 0, 3);
-    if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, 0.75);
+    read(json, "uiScale", p.uiScale, 0, limits::uiScale.max);
+    if (p.uiScale > 0) p.uiScale = std::max(p.uiScale, limits::uiScale.min);
     read(json, "vrtKeys", p.vrtKeys);
     read(json, "legend", p.legend);
     read(json, "tourSeen", p.tourSeen);

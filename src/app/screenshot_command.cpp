@@ -129,7 +129,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("-o,--output", options->output, "The PNG file to write")->required();
   addSizeOption(*command, options->size);
   command->add_option("--ui-scale", options->uiScale, "Size of text and controls, 0.75 to 3 (default 1)")
-      ->check(numberFrom(0.75, 3));
+      ->check(numberIn(limits::uiScale));
   command->add_option("--theme", options->theme, "dark, light or projector (default dark)")
       ->check(CLI::IsMember({"dark", "light", "projector"}));
   command->add_option("--language", options->language, "Of the panels: en, nl, ... (default en)");
@@ -145,15 +145,15 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
       ->check(CLI::IsMember(std::vector<std::string>(previewTabs.begin(), previewTabs.end())));
   command->add_option("--step", options->step, "The step of the lesson that is open, from 1 on")
-      ->check(numberFrom(1, 100));
+      ->check(numberIn(limits::stepNumber));
   command->add_flag("--show-me", options->showMe, "After the move that the step shows");
   command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
   command->add_flag("--help-window", options->help, "With the help window");
   command->add_flag("--export-window", options->exporting, "With the export window");
   command->add_flag("--progress-window", options->progress, "With points and badges");
-  command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberFrom(1, 5));
+  command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberIn({1, 5}));
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
-      ->check(numberFrom(0, 1));
+      ->check(numberIn(limits::fractions));
   addCommonOptions(*command, common);
   command->callback([options, &common] { screenshot(*options, common); });
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/language.h"
 #include "gl/texture.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
@@ -88,7 +89,8 @@ Bitmap withoutAlpha(const Bitmap& bitmap) {
 
 Bitmap takeShot(Gui& gui, const ShotRequest& request) {
   const Undisturbed guard(gui);
-  const int factor = std::clamp(request.factor, 1, 4);
+  const int factor = std::clamp(request.factor, static_cast<int>(limits::shotFactor.min),
+                                static_cast<int>(limits::shotFactor.max));
   const int width = guard.width() * factor, height = guard.height() * factor, most = Texture::maxSize();
   if (std::max(width, height) > most) {
     throw Error(

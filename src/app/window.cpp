@@ -30,6 +30,7 @@
 #include "edit/lesson_run.h"
 #include "edit/session.h"
 #include "gl/load_gl.h"
+#include "level/limits.h"
 #include "panels/actions.h"
 #include "panels/file_flow.h"
 #include "raytrace/png.h"
@@ -206,7 +207,7 @@ class MainWindow {
     lastFrame_ = now;
     float scaleX = 1, scaleY = 1;
     glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
-    gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, 0.75, 3.0));
+    gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, limits::uiScale.min, limits::uiScale.max));
     ImGui_ImplGlfw_NewFrame();
     gui_->frame(seconds);
     for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {

@@ -16,8 +16,6 @@
 namespace anamorph {
 namespace {
 
-constexpr int maxSide = 16384;
-
 // "WxH" to two numbers.
 std::pair<int, int> parseSize(const std::string& text) {
   const char* end = text.data() + text.size();
@@ -25,10 +23,10 @@ std::pair<int, int> parseSize(const std::string& text) {
   const auto first = std::from_chars(text.data(), end, width);
   const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
   const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
-  if (!cross || second.ec != std::errc() || second.ptr != end || width < 1 || height < 1 || width > maxSide ||
-      height > maxSide) {
-    throw CLI::ValidationError(
-        "--size", fmt::format("expected WIDTHxHEIGHT with sides from 1 to {}, got {}", maxSide, text));
+  if (!cross || second.ec != std::errc() || second.ptr != end || !limits::pictureSide.holds(width) ||
+      !limits::pictureSide.holds(height)) {
+    throw CLI::ValidationError("--size", fmt::format("expected WIDTHxHEIGHT with sides from {} to {}, got {}",
+                                                     limits::pictureSide.min, limits::pictureSide.max, text));
   }
   return {width, height};
 }
@@ -44,25 +42,25 @@ MeshLimits CommonOptions::meshLimits() const {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use (default: all)")
-      ->check(numberFrom(1, 1024));
+      ->check(numberIn(limits::threads));
   command.add_flag("--quiet", options.quiet, "No messages and no progress bar, only results and errors");
   command
       .add_option("--max-mesh-mb", options.maxMeshMebibytes,
                   "Largest mesh file to read, in MiB (default 2048)")
-      ->check(numberFrom(1, 1 << 20));
+      ->check(numberIn(limits::meshMebibytes));
   command.add_option("--max-vertices", options.maxVertices, "Most vertices to read (default 50000000)")
-      ->check(numberFrom(1, 4e9));
+      ->check(numberIn(limits::meshVertices));
 }
 
-CLI::Validator numberFrom(double low, double high) {
-  const std::string range = fmt::format("{:.10g} to {:.10g}", low, high);
+CLI::Validator numberIn(const Range& range) {
+  const std::string ends = fmt::format("{:.10g} to {:.10g}", range.min, range.max);
   return CLI::Validator(
       [=](std::string& text) {
         double number = 0;
-        const bool inRange = CLI::detail::lexical_cast(text, number) && number >= low && number <= high;
-        return inRange ? std::string() : "expected a number from " + range + ", got " + text;
+        const bool inRange = CLI::detail::lexical_cast(text, number) && range.holds(number);
+        return inRange ? std::string() : "expected a number from " + ends + ", got " + text;
       },
-      range);
+      ends);
 }
 
 void addSizeOption(CLI::App& command, std::pair<int, int>& size) {

@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "geometry/mesh_files.h"
+#include "level/limits.h"
 
 namespace anamorph {
 
@@ -25,8 +26,8 @@ struct CommonOptions {
 
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 
-/// Accepts finite numbers from low to high and says so otherwise. (CLI11's own Range lets nan pass.)
-CLI::Validator numberFrom(double low, double high);
+/// Accepts finite numbers of the range and says so otherwise. (CLI11's own Range lets nan pass.)
+CLI::Validator numberIn(const Range& range);
 
 /// --size WIDTHxHEIGHT, in pixels; `size` has the default and lives as long as the command.
 void addSizeOption(CLI::App& command, std::pair<int, int>& size);

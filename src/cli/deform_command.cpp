@@ -10,6 +10,7 @@
 #include "cli/input.h"
 #include "cli/report.h"
 #include "cli/usage_error.h"
+#include "exports/export_formats.h"
 
 namespace anamorph {
 namespace {
@@ -36,7 +37,8 @@ double rounded(double seconds) {
 
 void deform(const DeformOptions& options, const CommonOptions& common) {
   if (!isMeshFile(options.output)) {
-    throw UsageError(options.output + ": expected an output file that ends in .obj, .stl or .ply");
+    throw UsageError(options.output + ": expected an output file that ends in " +
+                     exportEndings(ExportKind::sculpture));
   }
   checkOutput(options.output);
   Input input = loadInput(options.input, common);
@@ -82,13 +84,16 @@ void addDeformCommand(CLI::App& app, CommonOptions& common) {
   CLI::App* command = app.add_subcommand("deform", "Make the sculpture and write it as OBJ, STL or PLY");
   const auto options = std::make_shared<DeformOptions>();
   addInputOptions(*command, options->input);
-  command->add_option("-o,--output", options->output, "The file to write: .obj, .stl or .ply")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "The file to write: " + exportEndings(ExportKind::sculpture))
+      ->required();
   command
       ->add_option("--image-size", options->imageSize,
                    "Height of the image that the tolerance is meant for (default: the level's)")
-      ->check(numberFrom(16, 16384));
+      ->check(numberIn(limits::imageSize));
   command->add_option("--mm-per-unit", options->millimetresPerUnit, "Millimetres per scene unit in the file")
-      ->check(numberFrom(1e-6, 1e6));
+      ->check(numberIn(limits::millimetresPerUnit.level));
   command->add_flag("--json", common.json, "Print one JSON object on stdout");
   addCommonOptions(*command, common);
   command->callback([options, &common] { deform(*options, common); });

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/report.h"
 #include "cli/usage_error.h"
-#include "exports/export_request.h"
+#include "exports/export_formats.h"
+#include "exports/export_level.h"
 
 namespace anamorph {
 namespace {
@@ -32,12 +34,12 @@ struct ExportOptions {
 
 // A number that is the whole of the text and in the range.
 template <typename Number>
-std::optional<Number> parseNumber(std::string_view text, Number low, Number high) {
+std::optional<Number> parseNumber(std::string_view text, const Range& range) {
   Number number{};
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, number);
   const bool whole = result.ec == std::errc() && result.ptr == end;
-  return whole && number >= low && number <= high ? std::optional(number) : std::nullopt;
+  return whole && range.holds(static_cast<double>(number)) ? std::optional(number) : std::nullopt;
 }
 
 // "1:2" is 2; "fit" is nothing.
@@ -45,8 +47,8 @@ std::optional<double> parseScale(const std::string& text) {
   if (text == "fit") return std::nullopt;
   const std::size_t colon = text.find(':');
   if (colon != std::string::npos) {
-    const auto paper = parseNumber(std::string_view(text).substr(0, colon), 1e-3, 1e3);
-    const auto life = parseNumber(std::string_view(text).substr(colon + 1), 1e-3, 1e6);
+    const auto paper = parseNumber<double>(std::string_view(text).substr(0, colon), limits::scaleOnPaper);
+    const auto life = parseNumber<double>(std::string_view(text).substr(colon + 1), limits::scaleInLife);
     if (paper && life) return *life / *paper;
   }
   throw UsageError("--scale: expected fit or a ratio as 1:2, got " + text);
@@ -57,12 +59,39 @@ std::optional<int> parseRays(const std::string& text) {
   if (text == "pixels") return std::nullopt;
   if (text == "vertices") return 200;
   const std::string vertices = "vertices:";
+  constexpr Range counts = limits::exportedVertexRays.level;
   if (text.starts_with(vertices)) {
-    if (const auto count = parseNumber(std::string_view(text).substr(vertices.size()), 1, 1'000'000)) {
+    if (const auto count = parseNumber<int>(std::string_view(text).substr(vertices.size()), counts)) {
       return *count;
     }
   }
-  throw UsageError("--rays: expected vertices, vertices:N with N from 1 to 1000000, or pixels, got " + text);
+  throw UsageError(
+      fmt::format("--rays: expected vertices, vertices:N with N from {} to {}, or pixels, got {}", counts.min,
+                  counts.max, text));
+}
+
+// "viewing sheet"
+std::string nameOf(const ExportFormat& format) {
+  return lowerCase(format.name);
+}
+
+// "sculpture", and what else files with its endings can be when it is asked for.
+std::string meaningOf(const ExportFormat& format) {
+  std::string meaning = nameOf(format);
+  for (const ExportFormat& other : exportFormats()) {
+    if (!other.askedBy || !hasEnding(format, other.fileName)) continue;
+    meaning += fmt::format("; with {} {} is its {}", other.askedBy, exportEndings(other.kind), nameOf(other));
+  }
+  return meaning;
+}
+
+// ".pdf or .svg (viewing sheet), .html or .json (match report) or ..."
+std::string allEndings() {
+  std::vector<std::string> formats;
+  for (const ExportFormat& format : exportFormats()) {
+    if (!format.askedBy) formats.push_back(exportEndings(format.kind) + " (" + meaningOf(format) + ")");
+  }
+  return alternatives(formats);
 }
 
 ExportRequest makeRequest(const ExportOptions& options, const std::string& path) {
@@ -74,10 +103,7 @@ ExportRequest makeRequest(const ExportOptions& options, const std::string& path)
   ExportRequest request;
   const auto kind = findExportKind(path);
   if (!kind) {
-    throw UsageError(
-        path +
-        ": expected an output file that ends in .obj, .stl or .ply (sculpture; with --rays .obj is "
-        "its rays), .pdf or .svg (viewing sheet), .html or .json (match report) or .png (picture)");
+    throw UsageError(path + ": expected an output file that ends in " + allEndings());
   }
   request.kind = *kind;
   request.path = path;
@@ -89,15 +115,14 @@ ExportRequest makeRequest(const ExportOptions& options, const std::string& path)
   request.size = options.size;
   if (!options.rays.empty()) {
     request.vertexRays = parseRays(options.rays);
-    const std::string ending = request.path.extension().string();
-    if (ending == ".obj" || ending == ".OBJ") request.kind = ExportKind::rays;
+    if (hasEnding(formatOf(ExportKind::rays), path)) request.kind = ExportKind::rays;
   }
   return request;
 }
 
-bool hasKind(const std::vector<ExportRequest>& requests, ExportKind kind) {
+bool anyHas(const std::vector<ExportRequest>& requests, ExportOption option) {
   return std::any_of(requests.begin(), requests.end(),
-                     [&](const ExportRequest& request) { return request.kind == kind; });
+                     [&](const ExportRequest& request) { return formatOf(request.kind).has(option); });
 }
 
 std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
@@ -106,8 +131,8 @@ std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
   if (requests.empty() && !options.check) {
     throw UsageError("expected -o FILE, or --check to look at the sculpture only");
   }
-  if (!options.rays.empty() && !hasKind(requests, ExportKind::rays)) {
-    throw UsageError("--rays: expected an output file that ends in .obj");
+  if (!options.rays.empty() && !anyHas(requests, ExportOption::raysOf)) {
+    throw UsageError("--rays: expected an output file that ends in " + exportEndings(ExportKind::rays));
   }
   return requests;
 }
@@ -150,7 +175,7 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   const LevelResult finished = finishInput(loadInput(options.input, common), common);
   JsonObject json;
   json.add("files", writeFiles(finished, requests, common));
-  if (options.check || hasKind(requests, ExportKind::sculpture)) {
+  if (options.check || anyHas(requests, ExportOption::printCheck)) {
     const PrintCheck check = [&] {
       const ProgressBar bar(common, "checking");
       return *checkSculpture(finished, options.millimetresPerUnit, common.threads, bar.progress());
@@ -162,32 +187,42 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   if (common.json) printJson(json.value());
 }
 
+// "sculpture, viewing sheet, ..."
+std::string allNames() {
+  std::vector<std::string> names;
+  for (const ExportFormat& format : exportFormats()) names.push_back(nameOf(format));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string outputHelp() {
+  std::vector<std::string> files;
+  for (const ExportFormat& format : exportFormats()) {
+    if (!format.askedBy)
+      files.push_back(fmt::format("{} ({})", fmt::join(format.endings, " "), nameOf(format)));
+  }
+  return fmt::format("The file to write, as often as wanted: {}", fmt::join(files, ", "));
+}
+
 }  // namespace
 
 void addExportCommand(CLI::App& app, CommonOptions& common) {
-  CLI::App* command = app.add_subcommand(
-      "export", "Write what can be taken home: sculpture, viewing sheet, rays, match report, picture");
+  CLI::App* command = app.add_subcommand("export", "Write what can be taken home: " + allNames());
   const auto options = std::make_shared<ExportOptions>();
   addInputOptions(*command, options->input);
-  command
-      ->add_option(
-          "-o,--output", options->outputs,
-          "The file to write, as often as wanted: .obj .stl .ply (sculpture), .pdf .svg (viewing sheet), "
-          ".html .json (match report), .png (picture)")
-      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->outputs, outputHelp())->allow_extra_args(false);
   command->add_flag("--check", options->check, "Print whether the sculpture can be printed, also without -o");
   command
       ->add_option("--mm-per-unit", options->millimetresPerUnit,
                    "Millimetres per scene unit of sculpture, sheet and rays (default 10)")
-      ->check(numberFrom(1e-6, 1e6));
+      ->check(numberIn(limits::millimetresPerUnit.level));
   command
       ->add_option("--base-plate", options->basePlate,
                    "Thickness in mm of a plate under the sculpture, on posts")
-      ->check(numberFrom(0.2, 100));
+      ->check(numberIn(limits::plateThickness.level));
   command
       ->add_option("--plate-margin", options->plateMargin,
                    "How far the base plate goes beyond the sculpture's outline, in mm (default 3)")
-      ->check(numberFrom(0, 1000))
+      ->check(numberIn(limits::plateMargin.level))
       ->needs("--base-plate");
   command->add_option("--page", options->page, "Paper of the viewing sheet: A4 (default), A3 or letter")
       ->check(CLI::IsMember({"A4", "A3", "letter"}));
@@ -201,7 +236,7 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
   command
       ->add_option("--size", options->size,
                    "Longer side of picture and match report's pictures in pixels (default 512)")
-      ->check(numberFrom(16, 8192));
+      ->check(numberIn(limits::exportedSize.level));
   command->add_flag("--json", common.json, "Print one JSON object on stdout");
   addCommonOptions(*command, common);
   command->callback([options, &common] { exportFiles(*options, common); });

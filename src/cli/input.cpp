@@ -13,15 +13,13 @@
 namespace anamorph {
 namespace {
 
-constexpr double minTolerance = 0.001, maxTolerance = 1000;  // pixels, as in a level
-
 // "off" or a number of pixels.
 std::string checkTolerance(std::string& text) {
   if (text == "off") {
     text = "0";
     return {};
   }
-  const std::string problem = numberFrom(minTolerance, maxTolerance)(text);
+  const std::string problem = numberIn(limits::tolerance.level)(text);
   return problem.empty() ? problem : "expected off or " + problem.substr(std::string("expected ").size());
 }
 
@@ -50,13 +48,13 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
       ->required();
   command.add_option("MODEL", options.model, "An OBJ, STL or PLY mesh that takes the place of the original");
   command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
-      ->check(numberFrom(0.01, 100.0));
+      ->check(numberIn(limits::depthScale.level));
   command
       .add_option("--tolerance", options.tolerancePixels,
                   "Refine until edges are this straight, in pixels; off: the original's own vertices")
       ->transform(CLI::Validator(checkTolerance, "PX|off"));
   command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees (thesis scenes: 40)")
-      ->check(numberFrom(1.0, 170.0));
+      ->check(numberIn(limits::fieldOfView.level));
   command.add_option("--up", options.up, "The camera's up (thesis scenes: z)")
       ->check(CLI::IsMember({"z", "y"}));
   command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");

@@ -72,7 +72,7 @@ void addLevelsCommand(CLI::App& app, CommonOptions& common) {
                                             "Folder for a picture and a sculpture of every level");
   command->add_option("--size", options->size, "Width and height of the pictures (default 512)")
       ->needs(folder)
-      ->check(numberFrom(1, 8192));
+      ->check(numberIn(limits::renderedSize.level));
   addCommonOptions(*command, common);
   command->callback([options, &common] { levels(*options, common); });
 }

@@ -51,7 +51,7 @@ void addMatchCommand(CLI::App& app, CommonOptions& common) {
   addInputOptions(*command, options->input);
   command
       ->add_option("--size", options->size, "Width and height of the compared image in pixels (default 512)")
-      ->check(numberFrom(1, 8192));
+      ->check(numberIn(limits::renderedSize.level));
   command->add_flag("--json", common.json, "Print one JSON object on stdout");
   addCommonOptions(*command, common);
   command->callback([options, &common] { match(*options, common); });

@@ -69,11 +69,11 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
   command
       ->add_option("--samples", options->samples,
                    "Samples along each side of a pixel, 1 to 4 (default: the level's)")
-      ->check(numberFrom(1, 4));
+      ->check(numberIn(limits::samplesPerAxis));
   command
       ->add_option("--max-megapixels", options->maxMegapixels,
                    "Largest picture to make, in 10^6 pixels (default 64)")
-      ->check(numberFrom(1e-6, 300));
+      ->check(numberIn(limits::megapixels));
   addCommonOptions(*command, common);
   command->callback([options, &common] { render(*options, common); });
 }

@@ -198,8 +198,4 @@ Construction makeConstruction(const VertexMap& map, const Point& original) {
   return made;
 }
 
-Construction makeConstruction(const LevelScene& level, const Point& original) {
-  return makeConstruction(makeVertexMap(level), original);
-}
-
 }  // namespace anamorph

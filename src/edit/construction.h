@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "anamorphosis/vertex_ray.h"
-#include "level/level.h"
 
 namespace anamorph {
 
@@ -56,7 +55,5 @@ struct Construction {
 
 /// Everything finite, whatever became of the ray.
 Construction makeConstruction(const VertexMap& map, const Point& original);
-/// With the level's map.
-Construction makeConstruction(const LevelScene& level, const Point& original);
 
 }  // namespace anamorph

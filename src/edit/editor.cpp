@@ -134,7 +134,7 @@ std::optional<Construction> currentConstruction(const Editor& editor) {
   if (!editor.point || !result.original.mesh) return std::nullopt;
   if (!isOn(*result.original.mesh, *editor.point)) return std::nullopt;
   if (findShapeProblem(result.level.optic.shape())) return std::nullopt;
-  return makeConstruction(result.level, pointOn(*result.original.mesh, *editor.point));
+  return makeConstruction(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {

@@ -5,12 +5,14 @@
 #include <functional>
 #include <utility>
 
+#include "level/limits.h"
+
 namespace anamorph {
 namespace {
 
-// Those of level/level_fields.h.
-constexpr double maxCoordinate = 1e6, minLength = 1e-6, maxLength = 1e6;
-constexpr double minDepthScale = 0.01, maxDepthScale = 100;
+constexpr double maxCoordinate = limits::coordinates.max;
+constexpr double minLength = limits::lengths.min, maxLength = limits::lengths.max;
+constexpr double minDepthScale = limits::depthScale.level.min, maxDepthScale = limits::depthScale.level.max;
 
 bool isLight(const Level& level, const Selection& selection) {
   return selection.part == Part::light && selection.index >= 0 &&

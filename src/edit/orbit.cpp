@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "level/limits.h"
+
 namespace anamorph {
 namespace {
 
@@ -43,7 +45,7 @@ ViewPose soundPose(const ViewPose& pose) {
   if (!isFinite(sound.target)) sound.target = usual.target;
   if (!isFinite(sound.up) || !(glm::length(sound.up) > 1e-9)) sound.up = usual.up;
   if (!std::isfinite(sound.fovDegrees)) sound.fovDegrees = usual.fovDegrees;
-  sound.fovDegrees = std::clamp(sound.fovDegrees, 0.1, 175.0);
+  sound.fovDegrees = std::clamp(sound.fovDegrees, limits::poseFieldOfView.min, limits::poseFieldOfView.max);
   if (!isFinite(sound.eye)) sound.eye = sound.target + (usual.eye - usual.target);
   const double distance = distanceOf(sound);
   if (!(distance > 0))

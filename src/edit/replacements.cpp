@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "edit/level_edits.h"
+#include "level/limits.h"
 #include "optics/shape_table.h"
 #include "pipeline/original.h"
 
@@ -36,7 +37,7 @@ struct Resize {
 // A level has room for scales from a millionth to a million.
 double scaleInto(const Box& own, const Box& room) {
   const double factor = factorInto(own, room);
-  return factor >= 1e-6 && factor <= 1e6 ? factor : 1;
+  return factor >= limits::lengths.min && factor <= limits::lengths.max ? factor : 1;
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, co
 Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box) {
   OriginalShape shape = builtInShape(kind);
   if (auto* filling = std::get_if<BoxShape>(&shape); filling && !box.empty()) {
-    filling->size = glm::clamp(box.size(), Vector(1e-6), Vector(1e6));
+    filling->size = glm::clamp(box.size(), Vector(limits::lengths.min), Vector(limits::lengths.max));
   }
   const auto mesh = loadOriginal(shape, {});
   return withOriginal(level, std::move(shape), *mesh, box);

@@ -1,13 +1,5 @@
-// Take it home: one function that makes any of the files a level gives, for the command line and the window
-// alike.
-//
-//   sculpture     .obj .stl .ply   in millimetres, with a base plate on request
-//   viewingSheet  .pdf .svg        one page to set mirror, sculpture and eye up by
-//   rays          .obj             vertex rays or the pixel grid's rays, as lines
-//   matchReport   .html .json      how well the reflection agrees with the original
-//   picture       .png             what the RT camera sees
-//
-// Always of the finished, refined level. A file is replaced atomically; cancelled, nothing is written.
+// What is asked of an export, and what came of it: plain data. The kinds there are stand in export_formats.h, the file
+// is made by export_level.h.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "exports/arrangement.h"
-#include "exports/print_check.h"
-#include "exports/viewing_sheet.h"
+#include "exports/base_plate.h"
+#include "exports/page.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 
+/// A row of export_formats.h each.
 enum class ExportKind { sculpture, viewingSheet, rays, matchReport, picture };
 
 struct ExportRequest {
@@ -40,24 +33,5 @@ struct ExportSummary {
   std::string description;            ///< "6146 vertices, 12288 triangles, 78.1 x 22.0 x 13.3 mm"
   std::vector<std::string> warnings;  ///< whole sentences
 };
-
-/// The kind that a file's ending asks for, in small or capital letters; .obj is a sculpture. Nothing for an
-/// unknown ending.
-std::optional<ExportKind> findExportKind(const std::filesystem::path& path);
-
-/// The endings of a kind, for messages and file dialogs: ".obj, .stl or .ply".
-const char* exportEndings(ExportKind kind);
-
-/// Makes the file of a level that has a sculpture. Throws Error. Nothing, and no file, when cancelled.
-std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
-                                         int threads = 1, const Progress& progress = {});
-
-/// checkPrint for the sculpture as it would be printed, without a base plate: that is sound by itself, and
-/// overlaps the sculpture on purpose. Nothing when cancelled.
-std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit,
-                                         int threads = 1, const Progress& progress = {});
-
-/// How many vertices of the original are not in the sculpture, for findPrintProblems.
-std::size_t countNotMapped(const LevelResult& finished);
 
 }  // namespace anamorph

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "math/palette.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -29,17 +30,17 @@ td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
 .small { font-size: .9rem; color: #57606a; }
 )";
 
-// The colours of markDifferences() as displayed.
+// The colours of markDifferences().
 std::string legend() {
-  constexpr std::pair<const char*, const char*> colors[] = {{"#0073b4", "only the original"},
-                                                            {"#d65f00", "only the reflection"},
-                                                            {"#e6a000", "hidden"},
-                                                            {"#cc79a7", "no mirror"}};
+  constexpr std::pair<Rgb, const char*> colors[] = {{palette::onlyOriginal, "only the original"},
+                                                    {palette::onlyReflection, "only the reflection"},
+                                                    {palette::hiddenReflection, "hidden"},
+                                                    {palette::noMirror, "no mirror"}};
   std::string text = tr("grey: both agree");
   for (const auto& [color, meaning] : colors) {
-    text +=
-        fmt::format("; <span class=\"kind\"><span class=\"swatch\" style=\"background:{}\"></span>{}</span>",
-                    color, tr(meaning));
+    text += fmt::format(
+        "; <span class=\"kind\"><span class=\"swatch\" style=\"background:#{:06x}\"></span>{}</span>",
+        static_cast<std::uint32_t>(color), tr(meaning));
   }
   return text;
 }

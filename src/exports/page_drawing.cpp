@@ -75,7 +75,7 @@ void drawRuler(Page& page, const Point2& at) {
 }
 
 void drawEye(Page& page, const Point2& at, double size) {
-  PageShape lid{{{}}, true, Pen{0.3, ink::black, {}}, Color(1)};
+  PageShape lid{{{}}, true, Pen{0.3, ink::black, {}}, ink::white};
   constexpr int steps = 16;
   for (int i = 0; i < 2 * steps; ++i) {
     const double x = std::cos(pi * i / steps), arc = 0.48 * (1 - x * x);

@@ -5,17 +5,19 @@
 #include <vector>
 
 #include "exports/page.h"
+#include "math/palette.h"
 
 namespace anamorph {
 
 using Point2 = glm::dvec2;
 
-/// Okabe and Ito's, as in the window.
+/// Of the palette, as pens and fills want them.
 namespace ink {
-inline const Color black{0}, grey{0.42}, faint{0.75};
-inline const Color blue = Color(0, 114, 178) / 255.0, lightBlue{0.89, 0.945, 0.975};
-inline const Color vermilion = Color(213, 94, 0) / 255.0, lightVermilion{0.99, 0.91, 0.84};
-inline const Color green = Color(0, 158, 115) / 255.0;
+constexpr Color black = inkOf(palette::black), grey = inkOf(palette::grey), faint = inkOf(palette::faint),
+                white = inkOf(palette::white);
+constexpr Color blue = inkOf(palette::blue), lightBlue = inkOf(palette::lightBlue);
+constexpr Color vermilion = inkOf(palette::vermilion), lightVermilion = inkOf(palette::lightVermilion);
+constexpr Color green = inkOf(palette::green), lightGreen = inkOf(palette::lightGreen);
 }  // namespace ink
 
 /// Everything that is drawn goes to the end of the page.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "anamorphosis/vertex_ray.h"
+#include "raytrace/ray_looks.h"
 
 namespace anamorph {
 namespace {
@@ -33,12 +34,6 @@ class ObjLines {
   std::size_t points_ = 0;
   fmt::memory_buffer text_;
 };
-
-const char* kindName(RayKind kind) {
-  constexpr const char* names[] = {"camera_rays", "reflected_rays", "light_rays", "shadow_rays",
-                                   "no_hit_rays"};
-  return names[static_cast<int>(kind)];
-}
 
 }  // namespace
 
@@ -76,7 +71,7 @@ std::optional<std::string> makePixelRayObj(const LevelResult& finished, double m
   const PixelGrid& grid = level.grid;
   const RenderScene scene = buildScene(makeReflectionScene(level, finished.sculpture));
   const ImageRequest request = makeImageRequest(level, grid.columns, grid.rows, 1);
-  std::array<std::vector<RaySegment>, 5> byKind;
+  std::array<std::vector<RaySegment>, rayLooks.size()> byKind;
   for (int y = 0; y < grid.rows; ++y) {
     if (!progress.update(double(y) / grid.rows)) return std::nullopt;
     for (int x = 0; x < grid.columns; ++x) {
@@ -88,7 +83,7 @@ std::optional<std::string> makePixelRayObj(const LevelResult& finished, double m
   file.write("# rays of the {} x {} pixel grid, made by Anamorph\n", grid.columns, grid.rows);
   for (std::size_t kind = 0; kind < byKind.size(); ++kind) {
     if (byKind[kind].empty()) continue;
-    file.write("o {}\n", kindName(static_cast<RayKind>(kind)));
+    file.write("o {}\n", rayLooks[kind].fileName);
     for (const RaySegment& ray : byKind[kind]) {
       const std::size_t from = file.add(ray.from), to = file.add(ray.to);
       file.write("l {} {}\n", from, to);

@@ -126,7 +126,7 @@ class Drawing {
 
   void drawThings() {
     drawShape({view_.mirror}, Pen{0.35, ink::blue, {}}, ink::lightBlue);
-    if (!view_.plate.empty()) drawShape(view_.plate, Pen{0.25, ink::green, {}}, Color(0.88, 0.96, 0.93));
+    if (!view_.plate.empty()) drawShape(view_.plate, Pen{0.25, ink::green, {}}, ink::lightGreen);
     drawShape(view_.sculpture, Pen{0.35, ink::vermilion, {}}, ink::lightVermilion);
   }
 

@@ -17,13 +17,9 @@
 
 #include "level/json.h"
 #include "level/level.h"
+#include "level/limits.h"
 
 namespace anamorph {
-
-/// What a number may be, both ends included.
-struct Range {
-  double min, max;
-};
 
 class FieldReader {
  public:

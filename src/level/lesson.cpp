@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "level/field_reader.h"
 #include "level/level_fields.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
@@ -79,7 +80,7 @@ static void fields(FieldReader& at, StepCondition& condition) {
   at.choice("when", condition.when, stepEvents);
   if (takesValue(condition.when)) {
     at.need({"value"});
-    at.field("value", condition.value, fractions);
+    at.field("value", condition.value, limits::fractions);
   }
   const Names names = namesFor(condition.when);
   if (names.empty()) return;
@@ -88,25 +89,26 @@ static void fields(FieldReader& at, StepCondition& condition) {
 }
 
 static void fields(FieldReader& at, StepMove& move) {
-  optional(at, "eye", move.eye, coordinates);
-  optional(at, "original", move.original, coordinates);
-  optional(at, "mirror", move.mirror, coordinates);
-  optional(at, "depthScale", move.depthScale, Range{0.01, 100});
-  if (at.has("tolerance")) at.numberOrOff("tolerance", move.tolerancePixels.emplace(), Range{0.001, 1000});
-  optional(at, "fovDegrees", move.fovDegrees, fieldsOfView);
-  optional(at, "morph", move.morph, fractions);
-  optional(at, "viewEye", move.viewEye, coordinates);
-  optional(at, "viewTarget", move.viewTarget, coordinates);
-  optional(at, "vertex", move.vertex, Range{0, 1e8});
+  optional(at, "eye", move.eye, limits::coordinates);
+  optional(at, "original", move.original, limits::coordinates);
+  optional(at, "mirror", move.mirror, limits::coordinates);
+  optional(at, "depthScale", move.depthScale, limits::depthScale.level);
+  if (at.has("tolerance"))
+    at.numberOrOff("tolerance", move.tolerancePixels.emplace(), limits::tolerance.level);
+  optional(at, "fovDegrees", move.fovDegrees, limits::fieldOfView.level);
+  optional(at, "morph", move.morph, limits::fractions);
+  optional(at, "viewEye", move.viewEye, limits::coordinates);
+  optional(at, "viewTarget", move.viewTarget, limits::coordinates);
+  optional(at, "vertex", move.vertex, limits::vertexNumber);
   if (at.has("pixel")) {
     auto& [column, row] = move.pixel.emplace();
-    at.pair("pixel", column, row, Range{0, 63});
+    at.pair("pixel", column, row, limits::cellNumber);
   }
   name(at, "preview", move.preview, namesOf(previewTabs));
   name(at, "rays", move.rays, raySources);
   name(at, "putRight", move.putRight, mistakeNames);
   name(at, "shape", move.shape, {"box", "sphere", "torusKnot", "letterF", "pawn"});
-  optional(at, "segments", move.segments, Range{1, 512});
+  optional(at, "segments", move.segments, limits::boxSegments.level);
   name(at, "mirrorKind", move.mirrorKind, namesOf(shapeNames()));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
@@ -130,7 +132,7 @@ static void fields(FieldReader& at, LessonStep& step) {
   at.field("notice", step.notice);
   name(at, "figure", step.figure, namesOf(stepFigures));
   at.field("optional", step.optional);
-  at.list("done", step.done, 8);
+  at.list("done", step.done, limits::mostConditions);
   at.object("show", step.show);
 }
 
@@ -145,7 +147,7 @@ static void fields(FieldReader& at, Lesson& lesson) {
   at.field("id", lesson.id);
   at.expect(!lesson.id.empty(), "id", "a name that is not empty");
   at.object("badge", lesson.badge);
-  at.list("steps", lesson.steps, 100);
+  at.list("steps", lesson.steps, limits::mostSteps);
 }
 
 Lesson parseLesson(std::string_view json, const std::string& fileName) {

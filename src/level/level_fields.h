@@ -2,26 +2,23 @@
 // walk these functions, so what is read and what is written cannot drift apart. levels/README.md explains the
 // same for people.
 //
-// To add a field: a member in level.h with its default, a line here, a line in levels/README.md.
+// To add a field: a member in level.h with its default, a line here, its limits in limits.h, a line in
+// levels/README.md.
 #pragma once
 
 #include <array>
 #include <numeric>
 #include <span>
 #include <utility>
-#include <vector>
 #include <variant>
+#include <vector>
 
 #include "level/field_reader.h"
 #include "level/level.h"
+#include "level/limits.h"
 #include "optics/shape_table.h"
 
 namespace anamorph {
-
-constexpr Range coordinates{-1e6, 1e6};
-constexpr Range lengths{1e-6, 1e6};
-constexpr Range fractions{0, 1};
-constexpr Range fieldsOfView{1, 170};
 
 constexpr std::array opticKinds{"mirror", "none"};
 constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
@@ -38,12 +35,12 @@ struct ShapeKeys : ShapeFields {
 template <typename At>
 struct ShapeInFile : ShapeFields {
   explicit ShapeInFile(At& file) : at(file) {}
-  void point(const FieldName& name, Point& value) override { at.field(name.key, value, coordinates); }
+  void point(const FieldName& name, Point& value) override { at.field(name.key, value, limits::coordinates); }
   void length(const FieldName& name, double& value) override {
-    at.field(name.key, value, name.mayBeZero ? Range{0, lengths.max} : lengths);
+    at.field(name.key, value, name.mayBeZero ? limits::lengthsOrZero : limits::lengths);
   }
   void points(const FieldName& name, std::span<Point> values) override {
-    at.field(name.key, values, coordinates);
+    at.field(name.key, values, limits::coordinates);
   }
   At& at;
 };
@@ -62,8 +59,8 @@ void fields(At& at, Shape& shape) {
 
 template <typename At>
 void fields(At& at, MirrorLook& look) {
-  at.field("tint", look.tint, fractions);
-  at.field("reflectance", look.reflectance, fractions);
+  at.field("tint", look.tint, limits::fractions);
+  at.field("reflectance", look.reflectance, limits::fractions);
 }
 
 /// In the file, the look belongs to the optic.
@@ -90,56 +87,56 @@ template <typename At>
 void fields(At& at, CameraFields& part) {
   Camera& camera = part.camera;
   at.need({"eye", "target"});
-  at.field("eye", camera.eye, coordinates);
-  at.field("target", camera.target, coordinates);
-  at.field("up", camera.up, coordinates);
-  at.expect(glm::length(camera.up) >= lengths.min, "up", "a vector that is not 0");
-  at.field("fovDegrees", camera.fovDegrees, fieldsOfView);
-  at.pair("grid", part.grid.columns, part.grid.rows, Range{1, 64});
-  at.field("screenDistance", part.grid.distance, lengths);
+  at.field("eye", camera.eye, limits::coordinates);
+  at.field("target", camera.target, limits::coordinates);
+  at.field("up", camera.up, limits::coordinates);
+  at.expect(glm::length(camera.up) >= limits::lengths.min, "up", "a vector that is not 0");
+  at.field("fovDegrees", camera.fovDegrees, limits::fieldOfView.level);
+  at.pair("grid", part.grid.columns, part.grid.rows, limits::gridCells);
+  at.field("screenDistance", part.grid.distance, limits::gridDistance.level);
 }
 
 template <typename At>
 void fields(At& at, Material& material) {
-  at.field("color", material.color, fractions);
-  at.field("ambient", material.ambient, fractions);
-  at.field("diffuse", material.diffuse, fractions);
-  at.field("specular", material.specular, fractions);
-  at.field("shininess", material.shininess, Range{1, 1000});
+  at.field("color", material.color, limits::fractions);
+  at.field("ambient", material.ambient, limits::fractions);
+  at.field("diffuse", material.diffuse, limits::fractions);
+  at.field("specular", material.specular, limits::fractions);
+  at.field("shininess", material.shininess, limits::shininess.level);
 }
 
 template <typename At>
 void fields(At& at, BoxShape& box) {
-  at.field("size", box.size, lengths);
-  at.field("segments", box.segments, Range{1, 512});
+  at.field("size", box.size, limits::shapeSize.level);
+  at.field("segments", box.segments, limits::boxSegments.level);
 }
 
 template <typename At>
 void fields(At& at, SphereShape& sphere) {
-  at.field("radius", sphere.radius, lengths);
-  at.field("segments", sphere.segments, Range{3, 2048});
+  at.field("radius", sphere.radius, limits::shapeSize.level);
+  at.field("segments", sphere.segments, limits::sphereSegments.level);
 }
 
 template <typename At>
 void fields(At& at, TorusKnotShape& knot) {
-  at.field("p", knot.p, Range{1, 32});
-  at.field("q", knot.q, Range{1, 32});
+  at.field("p", knot.p, limits::knotTurns);
+  at.field("q", knot.q, limits::knotTurns);
   at.expect(std::gcd(knot.p, knot.q) == 1, "q", "a number without a common divisor with p");
-  at.field("tubeRadius", knot.tubeRadius, Range{0.01, 1});
-  at.field("segments", knot.segments, Range{3, 4096});
-  at.field("sides", knot.sides, Range{3, 512});
+  at.field("tubeRadius", knot.tubeRadius, limits::tubeRadius);
+  at.field("segments", knot.segments, limits::knotSegments.level);
+  at.field("sides", knot.sides, limits::knotSides.level);
 }
 
 template <typename At>
 void fields(At& at, LetterFShape& letter) {
-  at.field("height", letter.height, lengths);
-  at.field("segments", letter.segments, Range{1, 256});
+  at.field("height", letter.height, limits::shapeSize.level);
+  at.field("segments", letter.segments, limits::letterSegments.level);
 }
 
 template <typename At>
 void fields(At& at, PawnShape& pawn) {
-  at.field("height", pawn.height, lengths);
-  at.field("segments", pawn.segments, Range{3, 2048});
+  at.field("height", pawn.height, limits::shapeSize.level);
+  at.field("segments", pawn.segments, limits::pawnSegments.level);
 }
 
 template <typename At>
@@ -158,9 +155,9 @@ void fields(At& at, OriginalShape& shape) {
 
 template <typename At>
 void fields(At& at, Placement& placement) {
-  at.field("position", placement.position, coordinates);
-  at.field("rotationDegrees", placement.rotationDegrees, coordinates);
-  at.factors("scale", placement.scale, lengths);
+  at.field("position", placement.position, limits::coordinates);
+  at.field("rotationDegrees", placement.rotationDegrees, limits::coordinates);
+  at.factors("scale", placement.scale, limits::shapeScale.level);
 }
 
 template <typename At>
@@ -181,10 +178,10 @@ void fields(At& at, Mistakes& mistakes) {
 
 template <typename At>
 void fields(At& at, SculptureSettings& sculpture) {
-  at.field("depthScale", sculpture.depthScale, Range{0.01, 100});
-  at.numberOrOff("tolerancePixels", sculpture.tolerancePixels, Range{0.001, 1000});
-  at.field("maxTriangles", sculpture.maxTriangles, Range{1, 1e8});
-  at.field("imageSize", sculpture.imageSize, Range{16, 16384});
+  at.field("depthScale", sculpture.depthScale, limits::depthScale.level);
+  at.numberOrOff("tolerancePixels", sculpture.tolerancePixels, limits::tolerance.level);
+  at.field("maxTriangles", sculpture.maxTriangles, limits::triangles);
+  at.field("imageSize", sculpture.imageSize, limits::imageSize);
   at.object("mistakes", sculpture.mistakes);
   at.object("material", sculpture.material);
 }
@@ -192,35 +189,35 @@ void fields(At& at, SculptureSettings& sculpture) {
 template <typename At>
 void fields(At& at, PointLight& light) {
   at.need({"position"});
-  at.field("position", light.position, coordinates);
-  at.field("color", light.color, fractions);
-  at.field("intensity", light.intensity, Range{0, 1000});
+  at.field("position", light.position, limits::coordinates);
+  at.field("color", light.color, limits::fractions);
+  at.field("intensity", light.intensity, limits::lightIntensity.level);
 }
 
 template <typename At>
 void fields(At& at, Background& background) {
-  at.field("top", background.top, fractions);
-  at.field("bottom", background.bottom, fractions);
+  at.field("top", background.top, limits::fractions);
+  at.field("bottom", background.bottom, limits::fractions);
 }
 
 template <typename At>
 void fields(At& at, GroundSettings& ground) {
   at.field("visible", ground.visible);
-  at.field("height", ground.height, coordinates);
+  at.field("height", ground.height, limits::coordinates);
 }
 
 template <typename At>
 void fields(At& at, TracingSettings& tracing) {
-  at.field("maxDepth", tracing.maxDepth, Range{0, 8});
+  at.field("maxDepth", tracing.maxDepth, limits::reflections);
   at.field("shadows", tracing.shadows);
-  at.field("samplesPerAxis", tracing.samplesPerAxis, Range{1, 4});
+  at.field("samplesPerAxis", tracing.samplesPerAxis, limits::samplesPerAxis);
 }
 
 template <typename At>
 void fields(At& at, ViewSettings& view) {
-  at.field("eye", view.eye, coordinates);
-  at.field("target", view.target, coordinates);
-  at.field("fovDegrees", view.fovDegrees, fieldsOfView);
+  at.field("eye", view.eye, limits::coordinates);
+  at.field("target", view.target, limits::coordinates);
+  at.field("fovDegrees", view.fovDegrees, limits::viewFieldOfView.level);
 }
 
 /// All but "format" and "version", which are not part of the level.
@@ -234,7 +231,7 @@ void fields(At& at, Level& level) {
   at.object("camera", CameraFields{level.camera, level.grid});
   at.object("original", level.original);
   at.object("sculpture", level.sculpture);
-  at.list("lights", level.lights, 64);
+  at.list("lights", level.lights, limits::mostLights);
   at.object("background", level.background);
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);

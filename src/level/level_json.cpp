@@ -29,7 +29,7 @@ template <typename At>
 void fields(At& at, Header& header) {
   at.need({"format", "version"});
   at.choice("format", header.format, formats);
-  at.field("version", header.version, Range{1, 1e6});
+  at.field("version", header.version, limits::formatVersion);
   at.expect(header.version <= levelVersion, "version",
             fmt::format("at most {} (this level was made by a newer Anamorph, please update)", levelVersion));
 }

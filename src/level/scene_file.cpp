@@ -42,27 +42,27 @@ void fields(FieldReader& at, SceneQuad& quad) {
   const std::array keys{"v0", "v1", "v2", "v3"};
   for (std::size_t i = 0; i < keys.size(); ++i) {
     at.need({keys[i]});
-    at.field(keys[i], quad.mirror.corners[i], coordinates);
+    at.field(keys[i], quad.mirror.corners[i], limits::coordinates);
   }
 }
 
 void fields(FieldReader& at, SceneCylinder& cylinder) {
   at.need({"radius", "topPoint", "bottomPoint"});
-  at.field("position", cylinder.position, coordinates);
-  at.field("radius", cylinder.mirror.radius, lengths);
-  at.field("topPoint", cylinder.mirror.top, coordinates);
-  at.field("bottomPoint", cylinder.mirror.bottom, coordinates);
+  at.field("position", cylinder.position, limits::coordinates);
+  at.field("radius", cylinder.mirror.radius, limits::lengths);
+  at.field("topPoint", cylinder.mirror.top, limits::coordinates);
+  at.field("bottomPoint", cylinder.mirror.bottom, limits::coordinates);
 }
 
 void fields(FieldReader& at, SceneSphere& sphere) {
   at.need({"position", "radius"});
-  at.field("position", sphere.mirror.centre, coordinates);
-  at.field("radius", sphere.mirror.radius, lengths);
+  at.field("position", sphere.mirror.centre, limits::coordinates);
+  at.field("radius", sphere.mirror.radius, limits::lengths);
 }
 
 void fields(FieldReader& at, SceneMesh& mesh) {
   at.need({"position"});
-  at.field("position", mesh.position, coordinates);
+  at.field("position", mesh.position, limits::coordinates);
 }
 
 void fields(FieldReader& at, SceneObject& object) {
@@ -72,7 +72,7 @@ void fields(FieldReader& at, SceneObject& object) {
 
 void fields(FieldReader& at, Scene& scene) {
   at.need({"Eye", "Objects"});
-  at.field("Eye", scene.eye, coordinates);
+  at.field("Eye", scene.eye, limits::coordinates);
   at.list("Objects", scene.objects, 1000);
 }
 

@@ -7,6 +7,7 @@
 #include "edit/lesson_run.h"
 #include "edit/orbit.h"
 #include "panels/dialog.h"
+#include "panels/export_entries.h"
 #include "panels/file_flow.h"
 #include "panels/key_focus.h"
 #include "panels/lesson_text.h"
@@ -36,7 +37,8 @@ bool exportKey(int key, ExportDialog& dialog) {
   if (key == keys::enter || key == keys::padEnter) {
     dialog.saveAsked = true;
   } else if (key == keys::left || key == keys::right) {
-    dialog.kind = (dialog.kind + (key == keys::right ? 1 : exportKindCount - 1)) % exportKindCount;
+    const int count = static_cast<int>(exportEntries().size());
+    dialog.kind = (dialog.kind + (key == keys::right ? 1 : count - 1)) % count;
   } else {
     return false;
   }

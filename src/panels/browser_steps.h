@@ -3,19 +3,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "panels/ui_state.h"
 
 namespace anamorph {
-
-struct PurposeTexts {
-  const char* title;
-  const char* button;
-  bool saves;
-  std::vector<const char*> endings;
-};
-const PurposeTexts& purposeTexts(FilePurpose purpose);
 
 /// Whether a text is the path of a file rather than a filter or a name.
 bool isPath(const std::string& text);

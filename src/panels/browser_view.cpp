@@ -25,7 +25,7 @@ void drawIcon(bool folder, ImVec2 at, float size) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 low{at.x + 0.08f * size, at.y + 0.2f * size}, high{at.x + 0.95f * size, at.y + 0.88f * size};
   if (folder) {
-    const ImU32 color = IM_COL32(0xE6, 0x9F, 0x00, 255);
+    const ImU32 color = ink::of(palette::folder);
     list->AddRectFilled(low, {low.x + 0.45f * size, high.y}, color, 0.1f * size);
     list->AddRectFilled({low.x, low.y + 0.12f * size}, high, color, 0.1f * size);
   } else {
@@ -61,7 +61,7 @@ struct Answers {
 Answers answersOf(const FileBrowser& b) {
   if (!b.replace.empty()) return {"Replace", "Back"};
   if (b.namingFolder) return {"Make", "Back"};
-  return {purposeTexts(b.purpose).button, "Cancel"};
+  return {b.purpose.button, "Cancel"};
 }
 
 // Whether the check boxes and the buttons have one line together.
@@ -134,19 +134,19 @@ void drawField(UiState& ui) {
   const bool idle = here && !ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown();
   if (b.takeFocus || idle) ImGui::SetKeyboardFocusHere();
   b.takeFocus = false;
-  const bool makesFolders = purposeTexts(b.purpose).saves && !b.namingFolder;
+  const bool makesFolders = b.purpose.saves && !b.namingFolder;
   ImGui::SetNextItemWidth(makesFolders ? -button : -FLT_MIN);
   ImGui::PushID(b.fieldNumber);
-  const char* hint = b.namingFolder                  ? "Name of the new folder"
-                     : purposeTexts(b.purpose).saves ? "Name of the file"
-                                                     : "Type to filter, or a path";
+  const char* hint = b.namingFolder    ? "Name of the new folder"
+                     : b.purpose.saves ? "Name of the file"
+                                       : "Type to filter, or a path";
   const bool early = takeEarlyLetters(b);
   const bool typed = ImGui::InputTextWithHint("##text", tr(hint), &b.text, ImGuiInputTextFlags_CallbackAlways,
                                               placeCaret, &b);
   if (typed || early) {
     b.problem.clear();
     b.proposed = false;
-    if (purposeTexts(b.purpose).saves) b.selected = -1;
+    if (b.purpose.saves) b.selected = -1;
     if (!b.namingFolder) enterTypedFolder(b);
   }
   ImGui::PopID();
@@ -203,7 +203,7 @@ float footerHeight(const FileBrowser& b) {
 void drawFileBrowser(UiState& ui) {
   FileBrowser& b = ui.browser;
   const bool fieldWasEmpty = b.text.empty();
-  if (!beginDialog(ui, purposeTexts(b.purpose).title, 760, 520)) return;
+  if (!beginDialog(ui, b.purpose.title, 760, 520)) return;
   const float below = footerHeight(b);
   ImGui::BeginDisabled(!b.replace.empty());  // the question is about what is shown
   if (const auto folder = drawPathRow(ui)) enterFolder(b, *folder);

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include "base/language.h"
 #include "panels/browser_places.h"
+#include "panels/export_entries.h"
 #include "panels/file_browser.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -18,14 +20,12 @@
 namespace anamorph {
 namespace {
 
-constexpr int screenshotKind = exportKindCount - 1;
-
-bool isScreenshot(const ExportDialog& dialog) {
-  return dialog.kind == screenshotKind;
+const ExportEntry& entryOf(const ExportDialog& dialog) {
+  return exportEntries()[static_cast<std::size_t>(dialog.kind)];
 }
 
 void scaleRow(ExportDialog& dialog) {
-  numberRow("mm per unit", dialog.request.millimetresPerUnit, {0.001, 1000, 0.1, "%.3g"},
+  numberRow("mm per unit", dialog.request.millimetresPerUnit, {limits::millimetresPerUnit.panel, 0.1, "%.3g"},
             "How many millimetres a scene unit becomes.");
 }
 
@@ -35,11 +35,12 @@ void plateRows(ExportDialog& dialog) {
     dialog.request.basePlate = plate ? std::optional(BasePlateSettings{}) : std::nullopt;
   }
   if (!dialog.request.basePlate) return;
-  numberRow("Thickness", dialog.request.basePlate->thickness, {0.2, 50, 0.1, "%.1f mm"});
-  numberRow("Margin", dialog.request.basePlate->margin, {0, 100, 0.1, "%.1f mm"}, "Around the sculpture.");
+  numberRow("Thickness", dialog.request.basePlate->thickness, {limits::plateThickness.panel, 0.1, "%.1f mm"});
+  numberRow("Margin", dialog.request.basePlate->margin, {limits::plateMargin.panel, 0.1, "%.1f mm"},
+            "Around the sculpture.");
 }
 
-void sheetRows(ExportDialog& dialog) {
+void pageRows(ExportDialog& dialog) {
   int paper = static_cast<int>(dialog.request.paper);
   if (choiceRow("Paper", paper, {"A4", "A3", "Letter"})) dialog.request.paper = static_cast<Paper>(paper);
   bool fits = !dialog.request.sheetScale;
@@ -47,7 +48,7 @@ void sheetRows(ExportDialog& dialog) {
     dialog.request.sheetScale = fits ? std::nullopt : std::optional(1.0);
   }
   if (dialog.request.sheetScale) {
-    numberRow("Scale 1 :", *dialog.request.sheetScale, {0.1, 1000, 0.1, "%.3g"});
+    numberRow("Scale 1 :", *dialog.request.sheetScale, {limits::sheetScale.panel, 0.1, "%.3g"});
   }
 }
 
@@ -56,88 +57,67 @@ void rayRows(ExportDialog& dialog) {
   if (choiceRow("Which", source, {"Through the pixels", "Through vertices"})) {
     dialog.request.vertexRays = source == 1 ? std::optional(200) : std::nullopt;
   }
-  if (dialog.request.vertexRays) integerRow("How many", *dialog.request.vertexRays, 1, 10000);
+  if (dialog.request.vertexRays)
+    integerRow("How many", *dialog.request.vertexRays, limits::exportedVertexRays.panel);
 }
 
-void pictureRows(ExportDialog& dialog) {
+void pictureRow(ExportDialog& dialog) {
   int picture = static_cast<int>(dialog.request.picture);
   if (choiceRow("Picture", picture, {"Reflection", "Original", "Difference"})) {
     dialog.request.picture = static_cast<PictureKind>(picture);
   }
-  integerRow("Longer side", dialog.request.size, 16, 8192, "In pixels.");
+}
+
+void optionRows(ExportOption option, ExportDialog& dialog) {
+  switch (option) {
+    case ExportOption::millimetres:
+      return scaleRow(dialog);
+    case ExportOption::basePlate:
+      return plateRows(dialog);
+    case ExportOption::page:
+      return pageRows(dialog);
+    case ExportOption::raysOf:
+      return rayRows(dialog);
+    case ExportOption::picture:
+      return pictureRow(dialog);
+    case ExportOption::pictureSize:
+      integerRow("Longer side", dialog.request.size, limits::exportedSize.panel, "In pixels.");
+      return;
+    case ExportOption::comparedSize:
+      integerRow("Longer side", dialog.request.size, limits::comparedSize.panel,
+                 "Of the pictures that are compared, in pixels.");
+      return;
+    case ExportOption::printCheck:
+      return;  // a button beside that which saves
+  }
 }
 
 void screenshotRows(ExportDialog& dialog) {
-  integerRow("Times as large", dialog.shot.factor, 1, 4, "As the window is.");
+  integerRow("Times as large", dialog.shot.factor, limits::shotFactor, "As the window is.");
   checkRow("With the panels", dialog.shot.panels);
   checkRow("Transparent", dialog.shot.transparent, "No background and no ground.");
 }
 
 void kindRows(ExportDialog& dialog) {
-  if (isScreenshot(dialog)) return screenshotRows(dialog);
-  switch (static_cast<ExportKind>(dialog.kind)) {
-    case ExportKind::sculpture:
-      scaleRow(dialog);
-      return plateRows(dialog);
-    case ExportKind::viewingSheet:
-      scaleRow(dialog);
-      plateRows(dialog);
-      return sheetRows(dialog);
-    case ExportKind::rays:
-      scaleRow(dialog);
-      return rayRows(dialog);
-    case ExportKind::matchReport:
-      integerRow("Longer side", dialog.request.size, 16, 4096,
-                 "Of the pictures that are compared, in pixels.");
-      return;
-    case ExportKind::picture:
-      return pictureRows(dialog);
-  }
-}
-
-const char* explanation(const ExportDialog& dialog) {
-  if (isScreenshot(dialog)) return "The window as it is, as PNG.";
-  switch (static_cast<ExportKind>(dialog.kind)) {
-    case ExportKind::sculpture:
-      return "For a 3D printer: OBJ, STL or PLY, in millimetres.";
-    case ExportKind::viewingSheet:
-      return "One page, PDF or SVG: put mirror and sculpture on their outlines, and your eye where it says.";
-    case ExportKind::rays:
-      return "Lines for a modelling program, as OBJ.";
-    case ExportKind::matchReport:
-      return "How well the reflection agrees: a page with pictures (HTML), or figures (JSON).";
-    case ExportKind::picture:
-      return "What the RT camera sees, as PNG.";
-  }
-  return "";
-}
-
-FilePurpose purposeOf(const ExportDialog& dialog) {
-  if (isScreenshot(dialog)) return FilePurpose::saveImage;
-  constexpr FilePurpose purposes[] = {FilePurpose::saveMesh, FilePurpose::saveSheet, FilePurpose::saveLines,
-                                      FilePurpose::saveReport, FilePurpose::saveImage};
-  return purposes[dialog.kind];
-}
-
-const char* nameOf(const ExportDialog& dialog) {
-  constexpr const char* names[] = {"sculpture.stl", "sheet.pdf",   "rays.obj",
-                                   "match.html",    "picture.png", "window.png"};
-  return names[dialog.kind];
+  const ExportFormat* format = entryOf(dialog).format;
+  if (!format) return screenshotRows(dialog);
+  for (const ExportOption option : format->options) optionRows(option, dialog);
 }
 
 // The browser's choice: the file is written at once.
 void takeChoice(UiState& ui) {
   ExportDialog& dialog = ui.exporting;
-  const auto path = awaitChosenFile(ui, purposeOf(dialog), dialog.choosing);
+  const ExportEntry& entry = entryOf(dialog);
+  const auto path = awaitChosenFile(ui, entry.purpose, dialog.choosing);
   if (!path) return;
   dialog.folder = path->parent_path();
   dialog.say("");
-  if (isScreenshot(dialog)) {
+  if (!entry.format) {
     dialog.shot.path = *path;
     ui.requests.shot = dialog.shot;
     return;
   }
-  dialog.request.kind = static_cast<ExportKind>(dialog.kind);
+  dialog.request.kind = entry.format->kind;
   dialog.request.path = *path;
   ui.requests.startExport = true;
 }
@@ -150,14 +130,14 @@ void drawButtons(const Editor& editor, UiState& ui) {
     if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelExport = true;
     return;
   }
-  if (dialog.kind == static_cast<int>(ExportKind::sculpture) &&
+  const ExportEntry& entry = entryOf(dialog);
+  if (entry.format && entry.format->has(ExportOption::printCheck) &&
       wideButton("Check for printing", "Closed, the right side out, no crossings, walls thick enough.")) {
     ui.requests.checkPrint = true;
   }
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
-    browseFiles(ui, purposeOf(dialog),
-                proposedExport(ui, dialog.folder, editor.session.path(), nameOf(dialog)));
+    browseFiles(ui, entry.purpose, proposedExport(ui, dialog.folder, editor.session.path(), entry.fileName));
   }
 }
 
@@ -183,12 +163,12 @@ void drawExportWindow(Editor& editor, UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   if (beginToolWindow(ui, "Export", "###export", dialog.open, 460, 470)) {
     ImGui::BeginDisabled(dialog.running);
-    if (segmentedControl("kinds", dialog.kind,
-                         {"Sculpture", "Viewing sheet", "Rays", "Match report", "Picture", "Screenshot"},
-                         3)) {
+    std::vector<const char*> names;
+    for (const ExportEntry& entry : exportEntries()) names.push_back(entry.name);
+    if (segmentedControl("kinds", dialog.kind, names, 3)) {
       dialog.say("");
     }
-    quietText(ui, explanation(dialog));
+    quietText(ui, entryOf(dialog).help);
     ImGui::Dummy({0, 4 * s});
     const auto before = std::pair(dialog.request.millimetresPerUnit, dialog.request.basePlate);
     ImGui::PushID(dialog.kind);

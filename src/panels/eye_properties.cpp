@@ -13,7 +13,7 @@
 namespace anamorph {
 namespace {
 
-constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
+constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
 
 // Below the eye's place: what is wrong with it.
 std::string eyeProblem(const Level& level) {
@@ -41,15 +41,15 @@ bool cameraRows(Editor& editor, const UiState& ui, Level& level) {
     problemText(ui, eyeProblem(level));
     changed |= vectorRow("Looks at", camera.target, coordinates,
                          "The middle of its image. Where it looks does not change the sculpture.");
-    changed |= sliderRow("Field of view", camera.fovDegrees, {20, 120, 0.1, "%.1f°"},
+    changed |= sliderRow("Field of view", camera.fovDegrees, {limits::fieldOfView.panel, 0.1, "%.1f°"},
                          "Of the image, from its lower to its upper edge.");
     liftRow(editor, ui);
   }
   if (section(ui, "Pixel grid")) {
-    changed |= integerRow("Columns", level.grid.columns, 1, 64,
+    changed |= integerRow("Columns", level.grid.columns, limits::gridCells,
                           "Cells from left to right. Each is one pixel with its own ray.");
-    changed |= integerRow("Rows", level.grid.rows, 1, 64, "Cells from top to bottom.");
-    changed |= sliderRow("Distance", level.grid.distance, {0.1, 2, 0.01, "%.2f"},
+    changed |= integerRow("Rows", level.grid.rows, limits::gridCells, "Cells from top to bottom.");
+    changed |= sliderRow("Distance", level.grid.distance, {limits::gridDistance.panel, 0.01, "%.2f"},
                          "How far in front of the eye the grid is drawn. It only shows the image: nothing "
                          "else depends on it.");
   }
@@ -59,10 +59,10 @@ bool cameraRows(Editor& editor, const UiState& ui, Level& level) {
 bool tracingRows(const UiState& ui, TracingSettings& tracing) {
   bool changed = false;
   if (!section(ui, "Ray tracer", false)) return false;
-  changed |= integerRow("Recursion depth", tracing.maxDepth, 0, 8,
+  changed |= integerRow("Recursion depth", tracing.maxDepth, limits::reflections,
                         "How many reflections in a row are followed. With 0 the mirror shows only the sky.");
   changed |= checkRow("Shadows", tracing.shadows, "Whether a ray to each light has to be free.");
-  changed |= integerRow("Samples", tracing.samplesPerAxis, 1, 4,
+  changed |= integerRow("Samples", tracing.samplesPerAxis, limits::samplesPerAxis,
                         "Along each side of a pixel: 2 means 4 rays a pixel, which smooths edges.");
   return changed;
 }
@@ -74,7 +74,7 @@ void drawEyeProperties(Editor& editor, UiState& ui) {
   bool changed = cameraRows(editor, ui, level);
   if (section(ui, "Shown as")) {
     checkRow("Camera, frustum and grid", editor.display.rtCamera, "In the 3D view.");
-    sliderRow("Grid opacity", editor.display.screenOpacity, {0, 1, 0.01, "%.2f"},
+    sliderRow("Grid opacity", editor.display.screenOpacity, {limits::fractions, 0.01, "%.2f"},
               "Of the image on the pixel grid.");
   }
   changed |= tracingRows(ui, level.tracing);

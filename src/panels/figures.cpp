@@ -12,9 +12,9 @@
 namespace anamorph {
 namespace {
 
-constexpr ImU32 incident = IM_COL32(0x00, 0x72, 0xB2, 255), reflected = IM_COL32(0xD5, 0x5E, 0x00, 255),
-                normal = IM_COL32(0x00, 0x9E, 0x73, 255), mirror = IM_COL32(0x8F, 0xA8, 0xC4, 255),
-                object = IM_COL32(0x4C, 0x7F, 0xC8, 255);
+constexpr ImU32 incident = ink::of(palette::rayFromEye), reflected = ink::of(palette::rayReflected),
+                normal = ink::of(palette::normal), mirror = ink::of(palette::figureMirror),
+                object = ink::of(palette::figureOriginal);
 constexpr float degree = 3.14159265f / 180;
 
 // A sheet with x from 0 to 100, and y down from 0 to `height`.

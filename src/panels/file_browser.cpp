@@ -1,12 +1,13 @@
 #include "panels/file_browser.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "exports/export_formats.h"
 #include "panels/actions.h"
 #include "panels/browser_places.h"
 #include "panels/browser_steps.h"
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool hasEnding(const PurposeTexts& purpose, const std::string& name) {
+bool hasEnding(const FilePurpose& purpose, const std::string& name) {
   const std::string ending = lowerEnding(name);
   return std::any_of(purpose.endings.begin(), purpose.endings.end(),
                      [&](const char* known) { return ending == known; });
@@ -50,7 +51,7 @@ void chooseToOpen(UiState& ui, const fs::path& path) {
 
 void chooseToSave(UiState& ui, fs::path path) {
   FileBrowser& b = ui.browser;
-  if (!hasEnding(purposeTexts(b.purpose), path.filename().string())) path += b.ending;
+  if (!hasEnding(b.purpose, path.filename().string())) path += b.ending;
   if (!isFolder(path.parent_path())) {
     b.problem = fmt::format(fmt::runtime(tr("{}: there is no such folder")), path.parent_path().string());
     return;
@@ -83,18 +84,18 @@ void makeFolder(FileBrowser& b) {
 
 }  // namespace
 
-const PurposeTexts& purposeTexts(FilePurpose purpose) {
-  static const std::array<PurposeTexts, 8> texts{{
-      {"Open a level", "Open", false, {".json"}},
-      {"Save the level", "Save", true, {".json"}},
-      {"A mesh for the original", "Open", false, {".obj", ".stl", ".ply"}},
-      {"Export the sculpture", "Save", true, {".obj", ".stl", ".ply"}},
-      {"Export the rays", "Save", true, {".obj"}},
-      {"Save the picture", "Save", true, {".png"}},
-      {"Export the viewing sheet", "Save", true, {".pdf", ".svg"}},
-      {"Export the match report", "Save", true, {".html", ".json"}},
-  }};
-  return texts.at(static_cast<std::size_t>(purpose));
+const FilePurpose FilePurpose::openLevel{"Open a level", "Open", false, {".json"}};
+const FilePurpose FilePurpose::saveLevel{"Save the level", "Save", true, {".json"}};
+const FilePurpose FilePurpose::openMesh{"A mesh for the original", "Open", false,
+                                        formatOf(ExportKind::sculpture).endings};
+const FilePurpose FilePurpose::saveImage = toSave(formatOf(ExportKind::picture));
+
+FilePurpose FilePurpose::toSave(const ExportFormat& format) {
+  return {format.title, "Save", true, format.endings};
+}
+
+bool FilePurpose::operator==(const FilePurpose& other) const {
+  return std::string_view(title) == other.title;
 }
 
 bool isPath(const std::string& text) {
@@ -120,7 +121,7 @@ void setBrowserText(FileBrowser& b, const std::string& text) {
 
 // The entries that are to be seen.
 void chooseShown(FileBrowser& b) {
-  const PurposeTexts& purpose = purposeTexts(b.purpose);
+  const FilePurpose& purpose = b.purpose;
   const std::string filter = purpose.saves || b.namingFolder || isPath(b.text) ? "" : lowerCase(b.text);
   const std::string wanted = fmt::format("{}{} {}", b.showHidden, b.showAll, filter);
   if (wanted == b.shownFor) return;
@@ -153,7 +154,7 @@ void enterFolder(FileBrowser& b, const fs::path& path) {
   b.listing = std::move(listing);
   b.problem.clear();
   b.replace.clear();
-  if (!purposeTexts(b.purpose).saves) setBrowserText(b, "");
+  if (!b.purpose.saves) setBrowserText(b, "");
   b.takeFocus = true;
   b.shownFor.clear();
   b.selected = -1;
@@ -181,7 +182,7 @@ void acceptChoice(UiState& ui) {
   b.problem.clear();
   if (!b.replace.empty()) return choose(ui, b.replace);
   if (b.namingFolder) return makeFolder(b);
-  const bool saves = purposeTexts(b.purpose).saves;
+  const bool saves = b.purpose.saves;
   if (isPath(b.text)) {
     const fs::path path = pathOf(b, b.text);
     if (isFolder(path)) {
@@ -221,7 +222,7 @@ void selectRow(FileBrowser& b, int row) {
   if (b.shown.empty()) b.selected = -1;
   b.bringIntoView = true;
   const FolderEntry* entry = selectedEntry(b);
-  if (entry && !entry->isFolder && purposeTexts(b.purpose).saves) setBrowserText(b, entry->name);
+  if (entry && !entry->isFolder && b.purpose.saves) setBrowserText(b, entry->name);
 }
 
 void handleBrowserKeys(UiState& ui, bool fieldWasEmpty, int rowsInSight) {
@@ -242,11 +243,7 @@ void handleBrowserKeys(UiState& ui, bool fieldWasEmpty, int rowsInSight) {
   }
 }
 
-bool isForSaving(FilePurpose purpose) {
-  return purposeTexts(purpose).saves;
-}
-
-void browseFiles(UiState& ui, FilePurpose purpose, const fs::path& start) {
+void browseFiles(UiState& ui, const FilePurpose& purpose, const fs::path& start) {
   FileBrowser& b = ui.browser;
   FileBrowser fresh;
   fresh.open = true;
@@ -256,8 +253,8 @@ void browseFiles(UiState& ui, FilePurpose purpose, const fs::path& start) {
   b = std::move(fresh);
   const bool named = !start.empty() && !isFolder(start) && start.has_filename();
   const std::string name = named ? start.filename().string() : "";
-  b.ending = hasEnding(purposeTexts(purpose), name) ? fs::path(name).extension().string()
-                                                    : std::string(purposeTexts(purpose).endings.front());
+  b.ending =
+      hasEnding(purpose, name) ? fs::path(name).extension().string() : std::string(purpose.endings.front());
   std::vector<fs::path> candidates{named ? (start.has_parent_path() ? start.parent_path() : ".") : start};
   candidates.insert(candidates.end(), ui.recentFolders.begin(), ui.recentFolders.end());
   for (const fs::path& folder : {homeFolder(), fs::path("/")}) candidates.push_back(folder);
@@ -265,11 +262,11 @@ void browseFiles(UiState& ui, FilePurpose purpose, const fs::path& start) {
     if (b.folder.empty() && isFolder(folder)) enterFolder(b, folder);
   }
   b.problem.clear();
-  if (isForSaving(purpose)) setBrowserText(b, name);
+  if (purpose.saves) setBrowserText(b, name);
   if (named) select(b, name);
 }
 
-std::optional<fs::path> takeChosenFile(UiState& ui, FilePurpose purpose) {
+std::optional<fs::path> takeChosenFile(UiState& ui, const FilePurpose& purpose) {
   auto& chosen = ui.browser.chosen;
   if (!chosen || chosen->first != purpose) return std::nullopt;
   fs::path path = std::move(chosen->second);
@@ -277,7 +274,7 @@ std::optional<fs::path> takeChosenFile(UiState& ui, FilePurpose purpose) {
   return path;
 }
 
-std::optional<fs::path> awaitChosenFile(UiState& ui, FilePurpose purpose, bool& waiting) {
+std::optional<fs::path> awaitChosenFile(UiState& ui, const FilePurpose& purpose, bool& waiting) {
   if (!waiting) return std::nullopt;
   auto path = takeChosenFile(ui, purpose);
   waiting = !path && ui.browser.open;

@@ -18,18 +18,20 @@
 
 namespace anamorph {
 
+struct ExportFormat;
 struct UiState;
 
-/// What a file is chosen for; title, button, kinds of files and ending are in a table of file_browser.cpp.
-enum class FilePurpose {
-  openLevel,
-  saveLevel,
-  openMesh,
-  saveMesh,
-  saveLines,
-  saveImage,
-  saveSheet,
-  saveReport
+/// What a file is chosen for.
+struct FilePurpose {
+  const char* title;  ///< of the browser, in English; no two purposes have the same
+  const char* button;
+  bool saves;  ///< a file that is there is asked about, and a name without an ending gets one
+  std::vector<const char*> endings;  ///< of the files that are shown
+
+  static const FilePurpose openLevel, saveLevel, openMesh, saveImage;
+  static FilePurpose toSave(const ExportFormat& format);
+
+  bool operator==(const FilePurpose& other) const;
 };
 
 struct FileBrowser {
@@ -59,19 +61,15 @@ struct FileBrowser {
 
 /// Opens the browser. `start`: a folder, or a file whose folder is shown and, to save, whose name is
 /// proposed; empty: the last folder, or home.
-void browseFiles(UiState& ui, FilePurpose purpose, const std::filesystem::path& start = {});
+void browseFiles(UiState& ui, const FilePurpose& purpose, const std::filesystem::path& start = {});
 
 /// The file that was chosen for this, once.
-std::optional<std::filesystem::path> takeChosenFile(UiState& ui, FilePurpose purpose);
+std::optional<std::filesystem::path> takeChosenFile(UiState& ui, const FilePurpose& purpose);
 
 /// For a window that opened the browser and waits: the same, once; `waiting` ends with the file, and when the
 /// browser was closed without one.
-std::optional<std::filesystem::path> awaitChosenFile(UiState& ui, FilePurpose purpose, bool& waiting);
+std::optional<std::filesystem::path> awaitChosenFile(UiState& ui, const FilePurpose& purpose, bool& waiting);
 
 void drawFileBrowser(UiState& ui);
-
-/// Whether the browser writes: then a file that is there is asked about, and the ending is put behind the
-/// name.
-bool isForSaving(FilePurpose purpose);
 
 }  // namespace anamorph

@@ -14,9 +14,9 @@ namespace {
 
 bool lightRows(Editor& editor, Level& level, int index) {
   PointLight& light = level.lights[index];
-  bool changed = vectorRow("Position", light.position, {-1e6, 1e6, 0.02, "%.2f"});
+  bool changed = vectorRow("Position", light.position, {limits::coordinates, 0.02, "%.2f"});
   changed |= colorRow("Colour", light.color);
-  changed |= sliderRow("Intensity", light.intensity, {0, 3, 0.01, "%.2f"});
+  changed |= sliderRow("Intensity", light.intensity, {limits::lightIntensity.panel, 0.01, "%.2f"});
   if (wideButton("Remove this light")) {
     level.lights.erase(level.lights.begin() + index);
     editor.selection = {};
@@ -28,7 +28,6 @@ bool lightRows(Editor& editor, Level& level, int index) {
 }  // namespace
 
 void drawLightProperties(Editor& editor, UiState& ui) {
-  constexpr std::size_t maxLights = 8;
   Level level = editor.session.level();
   bool changed = false;
   if (section(ui, "Lights")) {
@@ -38,7 +37,7 @@ void drawLightProperties(Editor& editor, UiState& ui) {
       const std::string label = fmt::format("{}###light{}", name, i);
       if (ImGui::Selectable(label.c_str(), i == chosen)) editor.selection = {Part::light, i};
     }
-    if (wideButton("Add a light", "At most 8.", level.lights.size() < maxLights)) {
+    if (wideButton("Add a light", "At most 8.", level.lights.size() < limits::mostOfferedLights)) {
       level.lights.push_back({});
       editor.selection = {Part::light, static_cast<int>(level.lights.size()) - 1};
       changed = true;
@@ -51,7 +50,7 @@ void drawLightProperties(Editor& editor, UiState& ui) {
     changed |= colorRow("Sky above", level.background.top);
     changed |= colorRow("Sky below", level.background.bottom);
     changed |= checkRow("Ground", level.ground.visible);
-    changed |= numberRow("Ground height", level.ground.height, {-1e6, 1e6, 0.02, "%.2f"});
+    changed |= numberRow("Ground height", level.ground.height, {limits::coordinates, 0.02, "%.2f"});
   }
   if (changed) editor.session.change(std::move(level));
 }

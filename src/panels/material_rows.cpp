@@ -5,12 +5,12 @@
 namespace anamorph {
 
 bool materialRows(Material& material) {
-  const NumberRange fraction{0, 1, 0.01, "%.2f"};
+  const NumberRange fraction{limits::fractions, 0.01, "%.2f"};
   bool changed = colorRow("Colour", material.color);
   changed |= sliderRow("Ambient", material.ambient, fraction, "Light that comes from everywhere.");
   changed |= sliderRow("Diffuse", material.diffuse, fraction, "Light that is scattered to all sides.");
   changed |= sliderRow("Specular", material.specular, fraction, "The highlight's strength.");
-  changed |= sliderRow("Shininess", material.shininess, {1, 128, 1, "%.0f"},
+  changed |= sliderRow("Shininess", material.shininess, {limits::shininess.panel, 1, "%.0f"},
                        "Larger: a smaller, sharper highlight.", true);
   return changed;
 }

@@ -15,8 +15,8 @@
 namespace anamorph {
 namespace {
 
-constexpr NumberRange coordinates{-1e6, 1e6, 0.02, "%.2f"};
-constexpr NumberRange lengths{1e-6, 1e6, 0.01, "%.2f"};  // what a level can hold
+constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
+constexpr NumberRange lengths{limits::lengths, 0.01, "%.2f"};
 
 // Rows of a shape's fields; a panel has its sizes first and then its points.
 class ShapeRows : public ShapeFields {
@@ -26,7 +26,8 @@ class ShapeRows : public ShapeFields {
 
   void length(const FieldName& name, double& value) override {
     if (part_ != Part::sizes) return;
-    const NumberRange range = name.mayBeZero ? NumberRange{0, lengths.max, lengths.speed, lengths.format} : lengths;
+    const NumberRange range =
+        name.mayBeZero ? NumberRange{limits::lengthsOrZero, lengths.speed, lengths.format} : lengths;
     changed |= numberRow(name.label, value, range, name.help);
   }
   void distance(const FieldName& name, const Point& from, Point& to) override {
@@ -96,7 +97,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
   }
   if (reflects && section(ui, "Look", false)) {
     changed |= colorRow("Tint", level.mirrorLook.tint, "The colour of what it reflects.");
-    changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {0, 1, 0.01, "%.2f"},
+    changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {limits::fractions, 0.01, "%.2f"},
                          "The share of the light that it gives back.");
   }
   if (changed) editor.session.change(std::move(level));

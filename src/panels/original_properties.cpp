@@ -20,30 +20,31 @@ namespace {
 
 struct ShapeRows {
   bool operator()(BoxShape& box) const {
-    bool changed = vectorRow("Size", box.size, {0.01, 1000, 0.01, "%.2f"});
-    changed |= integerRow("Segments", box.segments, 1, 64,
+    bool changed = vectorRow("Size", box.size, {limits::shapeSize.panel, 0.01, "%.2f"});
+    changed |= integerRow("Segments", box.segments, limits::boxSegments.panel,
                           "Quads along every edge. 1 gives 8 vertices: try it with the tolerance off.");
     return changed;
   }
   bool operator()(SphereShape& sphere) const {
-    bool changed = numberRow("Radius", sphere.radius, {0.01, 1000, 0.01, "%.2f"});
-    changed |= integerRow("Segments", sphere.segments, 3, 256, "Around its equator.");
+    bool changed = numberRow("Radius", sphere.radius, {limits::shapeSize.panel, 0.01, "%.2f"});
+    changed |= integerRow("Segments", sphere.segments, limits::sphereSegments.panel, "Around its equator.");
     return changed;
   }
   bool operator()(TorusKnotShape& knot) const {
-    bool changed = numberRow("Tube radius", knot.tubeRadius, {0.01, 1, 0.005, "%.2f"});
-    changed |= integerRow("Segments", knot.segments, 3, 1024, "Along the knot.");
-    changed |= integerRow("Sides", knot.sides, 3, 64, "Around the tube.");
+    bool changed = numberRow("Tube radius", knot.tubeRadius, {limits::tubeRadius, 0.005, "%.2f"});
+    changed |= integerRow("Segments", knot.segments, limits::knotSegments.panel, "Along the knot.");
+    changed |= integerRow("Sides", knot.sides, limits::knotSides.panel, "Around the tube.");
     return changed;
   }
   bool operator()(LetterFShape& letter) const {
-    bool changed = numberRow("Height", letter.height, {0.01, 1000, 0.01, "%.2f"});
-    changed |= integerRow("Segments", letter.segments, 1, 64, "Along every edge of its blocks.");
+    bool changed = numberRow("Height", letter.height, {limits::shapeSize.panel, 0.01, "%.2f"});
+    changed |= integerRow("Segments", letter.segments, limits::letterSegments.panel,
+                          "Along every edge of its blocks.");
     return changed;
   }
   bool operator()(PawnShape& pawn) const {
-    bool changed = numberRow("Height", pawn.height, {0.01, 1000, 0.01, "%.2f"});
-    changed |= integerRow("Segments", pawn.segments, 3, 256, "Around its axis.");
+    bool changed = numberRow("Height", pawn.height, {limits::shapeSize.panel, 0.01, "%.2f"});
+    changed |= integerRow("Segments", pawn.segments, limits::pawnSegments.panel, "Around its axis.");
     return changed;
   }
   bool operator()(FileShape& file) const {
@@ -90,11 +91,12 @@ std::string missedText(const LevelResult& products) {
 }
 
 bool placementRows(Placement& placement) {
-  bool changed =
-      vectorRow("Position", placement.position, {-1e6, 1e6, 0.02, "%.2f"}, "Of the shape's own origin.");
-  changed |=
-      vectorRow("Rotation", placement.rotationDegrees, {-1e6, 1e6, 0.5, "%.1f°"}, "About x, then y, then z.");
-  changed |= vectorRow("Scale", placement.scale, {1e-6, 1000, 0.005, "%.3f"}, "Along the shape's own axes.");
+  bool changed = vectorRow("Position", placement.position, {limits::coordinates, 0.02, "%.2f"},
+                           "Of the shape's own origin.");
+  changed |= vectorRow("Rotation", placement.rotationDegrees, {limits::coordinates, 0.5, "%.1f°"},
+                       "About x, then y, then z.");
+  changed |= vectorRow("Scale", placement.scale, {limits::shapeScale.panel, 0.005, "%.3f"},
+                       "Along the shape's own axes.");
   return changed;
 }
 

@@ -19,8 +19,8 @@ void drawMouseMark(const UiState& ui) {
   const bool down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1);
   ImDrawList* list = ImGui::GetForegroundDrawList();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  list->AddCircleFilled(mouse, (down ? 18 : 24) * s, IM_COL32(255, 210, 0, down ? 120 : 70));
-  list->AddCircle(mouse, (down ? 18 : 24) * s, IM_COL32(255, 170, 0, 230), 0, 2.5f * s);
+  list->AddCircleFilled(mouse, (down ? 18 : 24) * s, ink::of(palette::mouseDisc, down ? 120 : 70));
+  list->AddCircle(mouse, (down ? 18 : 24) * s, ink::of(palette::mouseRing, 230), 0, 2.5f * s);
 }
 
 void words(const LessonRun& run, const UiState& ui) {

@@ -36,8 +36,7 @@ void drawPicture(const UiTexture& texture, const Rect& r, float from = 0, float 
 }
 
 void drawCell(const Rect& r, const PixelGrid& grid, const GridCell& cell, ImU32 color, float thickness) {
-  const float w = r.width / static_cast<float>(grid.columns),
-              h = r.height / static_cast<float>(grid.rows);
+  const float w = r.width / static_cast<float>(grid.columns), h = r.height / static_cast<float>(grid.rows);
   const float x = r.x + w * static_cast<float>(cell.column), y = r.y + h * static_cast<float>(cell.row);
   ImGui::GetWindowDrawList()->AddRect({x, y}, {x + w, y + h}, color, 0, 0, thickness);
 }
@@ -94,7 +93,7 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   ui.hoveredCell.reset();
   if (hovered) pickCell(editor, ui, r);
   if (ui.hoveredCell) drawCell(r, grid, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
-  if (editor.cell) drawCell(r, grid, *editor.cell, IM_COL32(255, 217, 51, 255), 2.5f);
+  if (editor.cell) drawCell(r, grid, *editor.cell, ink::of(palette::chosenCell), 2.5f);
 }
 
 // `parts`: they are shown below; else the tooltip has them.

@@ -7,11 +7,12 @@ namespace anamorph {
 namespace {
 
 void styleRows(RaySettings& rays) {
-  sliderRow("Thickness", rays.thickness, {0.5, 8, 0.1, "%.1f px"});
+  sliderRow("Thickness", rays.thickness, {limits::rayThickness, 0.1, "%.1f px"});
   checkRow("Thicker if they matter more", rays.thicknessByContribution,
            "By how much a ray gives to its pixel.");
   checkRow("Fainter if they matter less", rays.alphaByContribution, "By how much a ray gives to its pixel.");
-  if (rays.alphaByContribution) sliderRow("Exponent", rays.alphaExponent, {0, 2, 0.01, "%.2f"});
+  if (rays.alphaByContribution)
+    sliderRow("Exponent", rays.alphaExponent, {limits::rayExponent, 0.01, "%.2f"});
   checkRow("In the colour they bring", rays.colorByContribution, "Instead of the colour of their kind.");
 }
 
@@ -21,7 +22,7 @@ void animationRows(Editor& editor) {
   if (!rays.animate) return;
   if (checkRow("One after the other", rays.sequential)) editor.animationSeconds = 0;
   checkRow("Again and again", rays.loop);
-  sliderRow("Speed", rays.speed, {0, 10, 0.1, "%.1f / s"}, "Scene units a second.");
+  sliderRow("Speed", rays.speed, {limits::raySpeed, 0.1, "%.1f / s"}, "Scene units a second.");
   if (wideButton(editor.animationPaused ? "Go on" : "Pause"))
     editor.animationPaused = !editor.animationPaused;
   if (wideButton("From the start")) editor.animationSeconds = 0;
@@ -40,11 +41,12 @@ void drawRayProperties(Editor& editor, UiState& ui) {
       editor.animationSeconds = 0;
     }
     if (rays.source == RaySource::vertices)
-      integerRow("How many", rays.vertexCount, 1, 400, "Spread evenly over the original's vertices.");
+      integerRow("How many", rays.vertexCount, limits::drawnVertexRays,
+                 "Spread evenly over the original's vertices.");
     checkRow("To the lights too", rays.lightRays, "Rays that ask whether a light is free, and shadow rays.");
     checkRow("Hide rays into the sky", rays.hideNoHit);
     checkRow("Hide negligible rays", rays.hideNegligible, "That give their pixel less than the share below.");
-    if (rays.hideNegligible) sliderRow("Share", rays.negligible, {0, 1, 0.001, "%.3f"});
+    if (rays.hideNegligible) sliderRow("Share", rays.negligible, {limits::fractions, 0.001, "%.3f"});
   }
   if (section(ui, "Style")) styleRows(rays);
   if (section(ui, "Animation")) animationRows(editor);

@@ -15,8 +15,9 @@ namespace {
 
 void settings(UiState& ui) {
   RenderDialog& dialog = ui.render;
-  integerRow("Longer side", dialog.longerSide, 64, 8192, "In pixels.");
-  integerRow("Samples", dialog.samplesPerAxis, 1, 4, "Along each side of a pixel: 3 means 9 rays a pixel.");
+  integerRow("Longer side", dialog.longerSide, limits::renderedSize.panel, "In pixels.");
+  integerRow("Samples", dialog.samplesPerAxis, limits::samplesPerAxis,
+             "Along each side of a pixel: 3 means 9 rays a pixel.");
   if (dialog.running) {
     ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-80 * static_cast<float>(ui.scale), 0});
     ImGui::SameLine();

@@ -15,7 +15,7 @@ namespace {
 
 bool deformationRows(SculptureSettings& sculpture) {
   bool changed = sliderRow(
-      "Depth scale k", sculpture.depthScale, {0.01, 4, 0.01, "%.2f"},
+      "Depth scale k", sculpture.depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
       "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
   bool refine = sculpture.tolerancePixels > 0;
   if (checkRow("Refine", refine,
@@ -25,7 +25,7 @@ bool deformationRows(SculptureSettings& sculpture) {
     changed = true;
   }
   if (refine) {
-    changed |= sliderRow("Tolerance", sculpture.tolerancePixels, {0.05, 10, 0.01, "%.2f px"},
+    changed |= sliderRow("Tolerance", sculpture.tolerancePixels, {limits::tolerance.panel, 0.01, "%.2f px"},
                          "How far an edge may be off its curve, in pixels of a 512 pixel image.", true);
   }
   return changed;
@@ -100,7 +100,7 @@ void drawSculptureProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Vertex ray")) constructionRows(editor, ui);
   if (section(ui, "Shown as")) {
     sliderRow(
-        "Morph", editor.display.morph, {0, 1, 0.01, "%.2f"},
+        "Morph", editor.display.morph, {limits::fractions, 0.01, "%.2f"},
         "0 is the original, 1 the sculpture; in between every vertex is on its way along its vertex ray.");
     checkRow("Sculpture", editor.display.sculpture);
     checkRow("Triangle edges", editor.display.wireframe, "How fine the sculpture is.");

@@ -60,8 +60,8 @@ void setColors(const Palette& p, ImVec4* c) {
   c[ImGuiCol_ModalWindowDimBg] = rgb(0, 0.35f);
 }
 
-bool isDark(Theme theme) {
-  return theme == Theme::dark;
+ImVec4 on(Theme theme, const palette::ForThemes& colors) {
+  return ImGui::ColorConvertU32ToFloat4(ink::of(theme == Theme::dark ? colors.dark : colors.light));
 }
 
 }  // namespace
@@ -103,18 +103,14 @@ std::optional<Background> skyOf(Theme theme) {
 
 namespace ink {
 
-ImU32 of(const Color& display, double alpha) {
-  return ImGui::ColorConvertFloat4ToU32({static_cast<float>(display.x), static_cast<float>(display.y),
-                                         static_cast<float>(display.z), static_cast<float>(alpha)});
-}
 ImVec4 good(Theme theme) {
-  return isDark(theme) ? rgb(0x2FBF8F) : rgb(0x007A58);
+  return on(theme, palette::good);
 }
 ImVec4 middling(Theme theme) {
-  return isDark(theme) ? rgb(0xE69F00) : rgb(0x9A6200);
+  return on(theme, palette::middling);
 }
 ImVec4 bad(Theme theme) {
-  return isDark(theme) ? rgb(0xFF7A4D) : rgb(0xB93A00);
+  return on(theme, palette::bad);
 }
 ImVec4 accent(Theme theme) {
   return rgb(paletteOf(theme).accentHovered);

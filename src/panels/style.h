@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "math/vec.h"
+#include "math/palette.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -19,7 +19,10 @@ std::optional<Background> skyOf(Theme theme);
 
 /// Colours with a meaning, the same in every theme where they are readable there.
 namespace ink {
-ImU32 of(const Color& display, double alpha = 1);
+/// As Dear ImGui draws it; `alpha`: 0..255.
+constexpr ImU32 of(Rgb color, int alpha = 255) {
+  return IM_COL32(channelOf(color, 0), channelOf(color, 1), channelOf(color, 2), alpha);
+}
 ImVec4 good(Theme theme);      ///< excellent, matched
 ImVec4 middling(Theme theme);  ///< partial
 ImVec4 bad(Theme theme);       ///< none; what is wrong

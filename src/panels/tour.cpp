@@ -53,7 +53,7 @@ void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
   list->AddRectFilled({0, r.y}, {r.x, r.y + r.height}, dim);
   list->AddRectFilled({r.x + r.width, r.y}, {display.x, r.y + r.height}, dim);
   const float s = static_cast<float>(ui.scale);
-  list->AddRect({r.x + s, r.y + s}, {r.x + r.width - s, r.y + r.height - s}, IM_COL32(255, 120, 0, 255),
+  list->AddRect({r.x + s, r.y + s}, {r.x + r.width - s, r.y + r.height - s}, ink::of(palette::pointedAt),
                 3 * s, 0, 3 * s);
   list->PopClipRect();
   ImGui::End();

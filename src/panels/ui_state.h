@@ -124,13 +124,10 @@ struct UiRequests {
   std::optional<RecoveryAnswer> recovery;
 };
 
-/// Of files that can be exported: those of ExportKind, and a picture of the window.
-constexpr int exportKindCount = static_cast<int>(ExportKind::picture) + 2;
-
 /// The window that exports.
 struct ExportDialog {
   bool open = false;
-  int kind = 0;  ///< an ExportKind, or one more for a screenshot
+  int kind = 0;  ///< which one of exportEntries() (export_entries.h)
   ExportRequest request;
   ShotRequest shot;
   bool saveAsked = false;        ///< by the key Enter

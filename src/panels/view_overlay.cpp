@@ -18,9 +18,6 @@
 namespace anamorph {
 namespace {
 
-constexpr std::array<ImU32, 4> axisColors{IM_COL32(226, 74, 70, 255), IM_COL32(74, 176, 84, 255),
-                                          IM_COL32(76, 134, 235, 255), IM_COL32(240, 240, 240, 255)};
-
 // Draws in pixels of the view.
 class Ink {
  public:
@@ -72,7 +69,7 @@ class Labels {
     if (away > plate.width / 2 + 26 * ink_.scale())
       ink_.list().AddLine(p, middle, IM_COL32(255, 255, 255, 110));
     ink_.list().AddRectFilled({plate.x, plate.y}, {plate.x + plate.width, plate.y + plate.height},
-                              IM_COL32(18, 20, 25, 205), 3 * ink_.scale());
+                              ink::of(palette::labelPlate, 205), 3 * ink_.scale());
     ink_.list().AddText({plate.x + padX(), plate.y + padY()}, color, text.c_str());
   }
 
@@ -110,8 +107,8 @@ void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
   for (const GizmoShape& shape : gizmo.shapes) {
     std::vector<ImVec2> points;
     for (const Pixel& pixel : shape.points) points.push_back(ink.at(pixel));
-    ImU32 color = axisColors[static_cast<std::size_t>(std::clamp(shape.color, 0, 3))];
-    if (shape.emphasis == GizmoShape::Emphasis::strong) color = IM_COL32(255, 205, 60, 255);
+    ImU32 color = ink::of(palette::viewAxes[static_cast<std::size_t>(std::clamp(shape.color, 0, 3))]);
+    if (shape.emphasis == GizmoShape::Emphasis::strong) color = ink::of(palette::heldHandle);
     if (shape.emphasis == GizmoShape::Emphasis::dim)
       color = (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 70);
     const bool plane = shape.filled && axisOf(shape.handle) < 3 && shape.points.size() == 4 &&
@@ -127,22 +124,20 @@ void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
 }
 
 void drawConstruction(const Ink& ink, const Construction& construction) {
-  const ImU32 white = IM_COL32(255, 255, 255, 255), green = IM_COL32(90, 220, 170, 255),
-              yellow = IM_COL32(255, 225, 120, 255);
   Labels labels(ink);
   for (const ConstructionLabel& label : construction.points) {
     const auto pixel = ink.find(label.at);
     if (!pixel) continue;
     labels.keepFree(*pixel);
-    ink.list().AddCircleFilled(ink.at(*pixel), 4.2f * ink.scale(), IM_COL32(20, 22, 28, 255));
-    ink.list().AddCircleFilled(ink.at(*pixel), 3.0f * ink.scale(), white);
+    ink.list().AddCircleFilled(ink.at(*pixel), 4.2f * ink.scale(), ink::of(palette::pointRim));
+    ink.list().AddCircleFilled(ink.at(*pixel), 3.0f * ink.scale(), ink::of(palette::pointLabel));
   }
-  const auto draw = [&](const ConstructionLabel& label, ImU32 color) {
-    if (const auto pixel = ink.find(label.at)) labels.draw(*pixel, label.text, color);
+  const auto draw = [&](const ConstructionLabel& label, Rgb color) {
+    if (const auto pixel = ink.find(label.at)) labels.draw(*pixel, label.text, ink::of(color));
   };
-  for (const ConstructionLabel& label : construction.points) draw(label, white);
-  for (const ConstructionLabel& label : construction.distances) draw(label, yellow);
-  for (const ConstructionArc& arc : construction.arcs) draw(arc.label, green);
+  for (const ConstructionLabel& label : construction.points) draw(label, palette::pointLabel);
+  for (const ConstructionLabel& label : construction.distances) draw(label, palette::distanceLabel);
+  for (const ConstructionArc& arc : construction.arcs) draw(arc.label, palette::angleLabel);
 }
 
 // A cross where the RT camera looks at, while it is selected.
@@ -154,7 +149,7 @@ void drawAim(const Ink& ink, const Editor& editor) {
   const ImVec2 p = ink.at(*pixel);
   const float r = 7 * ink.scale();
   const ImU32 color =
-      editor.selection.part == Part::aim ? IM_COL32(255, 89, 0, 255) : IM_COL32(255, 255, 255, 220);
+      editor.selection.part == Part::aim ? ink::of(palette::selected) : IM_COL32(255, 255, 255, 220);
   ink.list().AddCircle(p, r, color, 0, 1.8f * ink.scale());
   ink.list().AddLine({p.x - 1.6f * r, p.y}, {p.x + 1.6f * r, p.y}, color, 1.4f * ink.scale());
   ink.list().AddLine({p.x, p.y - 1.6f * r}, {p.x, p.y + 1.6f * r}, color, 1.4f * ink.scale());
@@ -172,7 +167,7 @@ void drawAxes(const Ink& ink, const Rect& rect) {
   for (const int axis : order) {
     const ImVec2 tip{origin.x + length * static_cast<float>(frame.right[axis]),
                      origin.y - length * static_cast<float>(frame.up[axis])};
-    const ImU32 color = axisColors[static_cast<std::size_t>(axis)];
+    const ImU32 color = ink::of(palette::viewAxes[static_cast<std::size_t>(axis)]);
     ink.list().AddLine(origin, tip, color, 2.4f * s);
     const ImVec2 size = ImGui::CalcTextSize(names[axis]);
     const float k = 1.32f;

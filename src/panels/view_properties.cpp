@@ -41,7 +41,7 @@ void drawViewProperties(Editor& editor, UiState& ui) {
       editor.pose = togglePerspective(editor.pose);
     }
     if (!editor.lookingThrough &&
-        sliderRow("Field of view", editor.pose.fovDegrees, {10, 120, 0.1, "%.1f°"})) {
+        sliderRow("Field of view", editor.pose.fovDegrees, {limits::viewFieldOfView.panel, 0.1, "%.1f°"})) {
       takeOverView(editor);
     }
     checkRow("Legend", preferences.legend, "What the colours and line styles of the rays mean.");
@@ -61,7 +61,9 @@ void drawViewProperties(Editor& editor, UiState& ui) {
     if (preferences.uiScale > 0) {
       int percent = static_cast<int>(100 * preferences.uiScale + 0.5);
       const int before = percent / 25;
-      if (integerRow("Percent", percent, 75, 300, "In steps of 25.") && percent / 25 != before) {
+      if (integerRow("Percent", percent, {100 * limits::uiScale.min, 100 * limits::uiScale.max},
+                     "In steps of 25.") &&
+          percent / 25 != before) {
         preferences.uiScale = 0.25 * (percent / 25);
       }
     }

@@ -11,6 +11,7 @@
 #include "panels/help_buttons.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
+#include "raytrace/ray_looks.h"
 
 namespace anamorph {
 namespace {
@@ -75,36 +76,24 @@ void repairButtons(Editor& editor, UiState& ui) {
   if (ImGui::Button(tr("Reset the level"))) editor.session.reset();
 }
 
-struct LegendLine {
-  const char* name;
-  ImU32 color;
-  int dash;  // 0: a whole line, 1: dashes, 2: dots
-};
-enum { fromEye, reflectedRay, normalLine, toLight, inShadow, meetsNothing };
-constexpr LegendLine legendLines[] = {{"from the eye", IM_COL32(0x00, 0x72, 0xB2, 255), 0},
-                                      {"reflected", IM_COL32(0xD5, 0x5E, 0x00, 255), 1},
-                                      {"normal", IM_COL32(0x00, 0x9E, 0x73, 255), 2},
-                                      {"to a light", IM_COL32(0xF0, 0xE4, 0x42, 255), 2},
-                                      {"in shadow", IM_COL32(0x77, 0x77, 0x77, 255), 2},
-                                      {"meets nothing", IM_COL32(0x99, 0x99, 0x99, 255), 0}};
-
-void legendLine(const UiState& ui, const LegendLine& kind) {
-  const auto& [name, color, dash] = kind;
+void legendLine(const UiState& ui, const LineLook& look) {
+  const ImU32 color = ink::of(look.color);
   const float width = scaled(ui, 34), height = ImGui::GetTextLineHeight();
   const ImVec2 p = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float y = p.y + height / 2, thick = scaled(ui, 2.4f);
-  if (dash == 0) {
+  if (look.style == LineStyle::solid) {
     list->AddLine({p.x, y}, {p.x + width, y}, color, thick);
   } else {
-    const float on = scaled(ui, dash == 1 ? 8.0f : 2.5f), off = scaled(ui, dash == 1 ? 5.0f : 4.0f);
+    const bool dashed = look.style == LineStyle::dashed;
+    const float on = scaled(ui, dashed ? 8.0f : 2.5f), off = scaled(ui, dashed ? 5.0f : 4.0f);
     for (float x = 0; x < width; x += on + off) {
       list->AddLine({p.x + x, y}, {p.x + std::min(x + on, width), y}, color, thick);
     }
   }
   ImGui::Dummy({width, height});
   ImGui::SameLine();
-  ImGui::TextUnformatted(tr(name));
+  ImGui::TextUnformatted(tr(look.legend));
 }
 
 }  // namespace
@@ -138,20 +127,25 @@ void drawProblem(Editor& editor, UiState& ui) {
 void drawLegend(const Editor& editor, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
-  legendLine(ui, legendLines[fromEye]);
+  const auto add = [&](RayKind kind) { legendLine(ui, lookOf(kind).line); };
+  add(RayKind::camera);
   const bool reflects = isVisible(editor.session.level().optic);
-  if (reflects) legendLine(ui, legendLines[reflectedRay]);
-  if (editor.point && reflects) legendLine(ui, legendLines[normalLine]);
+  if (reflects) add(RayKind::reflected);
+  if (editor.point && reflects) legendLine(ui, normalLook);
   if (editor.rays.lightRays) {
-    legendLine(ui, legendLines[toLight]);
-    legendLine(ui, legendLines[inShadow]);
+    add(RayKind::light);
+    add(RayKind::shadow);
   }
-  if (!editor.rays.hideNoHit) legendLine(ui, legendLines[meetsNothing]);
+  if (!editor.rays.hideNoHit) add(RayKind::noHit);
   ImGui::End();
 }
 
 void drawAllLegendLines(const UiState& ui) {
-  for (const LegendLine& line : legendLines) legendLine(ui, line);
+  for (const RayLook& look : rayLooks) {
+    legendLine(ui, look.line);
+    if (look.kind == RayKind::reflected)
+      legendLine(ui, normalLook);  // in the order of a vertex's construction
+  }
 }
 
 }  // namespace anamorph

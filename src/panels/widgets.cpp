@@ -33,7 +33,7 @@ void outline(const ImVec2& low, const ImVec2& high) {
   const ImRect& room = ImGui::GetCurrentWindow()->ClipRect;
   if (!room.Overlaps({low, high})) return;
   ImGui::GetForegroundDrawList()->AddRect({low.x - grow, low.y - grow}, {high.x + grow, high.y + grow},
-                                          IM_COL32(255, 120, 0, 255), grow, 0, 0.2f * ImGui::GetFontSize());
+                                          ink::of(palette::pointedAt), grow, 0, 0.2f * ImGui::GetFontSize());
 }
 
 void pointedRow(const char* name, float width) {
@@ -66,13 +66,6 @@ bool takeFinite(bool changed, double& value, double before) {
   if (!changed || std::isfinite(value)) return changed;
   value = before;
   return false;
-}
-
-double fromLinear(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
-double toLinear(double x) {
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace
@@ -140,17 +133,16 @@ bool sliderRow(const char* name, double& value, const NumberRange& range, const 
   return takeFinite(changed, value, before);
 }
 
-bool integerRow(const char* name, int& value, int min, int max, const char* help) {
+bool integerRow(const char* name, int& value, const Range& range, const char* help) {
   beginRow(name, help);
   const TypeByDoubleClick types;
-  const bool changed = ImGui::SliderInt("##value", &value, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderInt("##value", &value, static_cast<int>(range.min),
+                                        static_cast<int>(range.max), "%d", ImGuiSliderFlags_AlwaysClamp);
   endRow(help);
   return changed;
 }
 
 bool vectorRow(const char* name, Vector& value, const NumberRange& range, const char* help) {
-  constexpr ImU32 axisColors[] = {IM_COL32(214, 69, 65, 255), IM_COL32(64, 160, 74, 255),
-                                  IM_COL32(66, 120, 216, 255)};
   beginRow(name, help);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::CalcItemWidth() - 2 * gap) / 3;
   bool changed = false;
@@ -166,7 +158,8 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float thickness = std::max(2.0f, 0.09f * (high.y - low.y));
     ImGui::GetWindowDrawList()->AddRectFilled({low.x + 3, high.y - thickness}, {high.x - 3, high.y},
-                                              axisColors[axis], thickness / 2);
+                                              ink::of(palette::fieldAxes[static_cast<std::size_t>(axis)]),
+                                              thickness / 2);
     tooltip(help);
     ImGui::PopID();
   }
@@ -184,11 +177,11 @@ bool checkRow(const char* name, bool& value, const char* help) {
 bool colorRow(const char* name, Color& value, const char* help) {
   beginRow(name, help);
   float display[3];
-  for (int i = 0; i < 3; ++i) display[i] = static_cast<float>(fromLinear(value[i]));
+  for (int i = 0; i < 3; ++i) display[i] = static_cast<float>(displayOf(value[i]));
   const bool changed = ImGui::ColorEdit3("##value", display, ImGuiColorEditFlags_Float);
   if (changed) {
     for (int i = 0; i < 3; ++i) {
-      if (std::isfinite(display[i])) value[i] = std::clamp(toLinear(display[i]), 0.0, 1.0);
+      if (std::isfinite(display[i])) value[i] = std::clamp(lightOf(display[i]), 0.0, 1.0);
     }
   }
   endRow(help);
@@ -243,7 +236,7 @@ int pointedCount() {
 }
 
 void drawStar(const ImVec2& middle, float radius) {
-  constexpr ImU32 gold = IM_COL32(0xE6, 0x9F, 0x00, 255);
+  constexpr ImU32 gold = ink::of(palette::badge);
   constexpr int points = 5;
   const auto at = [&](float turn, float r) {
     const float angle = (turn / points - 0.25f) * 2 * 3.14159265f;

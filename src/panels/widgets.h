@@ -11,13 +11,13 @@
 
 #include <imgui.h>
 
+#include "level/limits.h"
 #include "math/vec.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
 
-struct NumberRange {
-  double min, max;
+struct NumberRange : Range {
   double speed = 0.02;  ///< change per pixel dragged
   const char* format = "%.2f";
 };
@@ -38,7 +38,7 @@ bool numberRow(const char* name, double& value, const NumberRange& range, const 
 /// With a slider in place of a field: for values whose whole range makes sense. `power`: logarithmic.
 bool sliderRow(const char* name, double& value, const NumberRange& range, const char* help = "",
                bool logarithmic = false);
-bool integerRow(const char* name, int& value, int min, int max, const char* help = "");
+bool integerRow(const char* name, int& value, const Range& range, const char* help = "");
 /// Three numbers with their axis' colours.
 bool vectorRow(const char* name, Vector& value, const NumberRange& range, const char* help = "");
 bool checkRow(const char* name, bool& value, const char* help = "");

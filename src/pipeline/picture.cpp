@@ -5,20 +5,14 @@
 #include <utility>
 
 #include "base/check.h"
+#include "math/palette.h"
 
 namespace anamorph {
-namespace {
-
-// Okabe and Ito's colours, which people with any colour vision can tell apart; linear light.
-constexpr glm::vec3 onlyOriginalColor{0.00f, 0.17f, 0.45f};    // blue
-constexpr glm::vec3 onlyReflectionColor{0.67f, 0.11f, 0.00f};  // vermilion
-constexpr glm::vec3 hiddenColor{0.87f, 0.35f, 0.00f};          // orange
-constexpr glm::vec3 missedColor{0.60f, 0.19f, 0.38f};          // purple
-
-}  // namespace
-
 Image markDifferences(Image picture, const Match& match) {
   CHECK(match.classes.size() == picture.pixels.size());
+  const glm::vec3 onlyOriginal = lightShownAs(palette::onlyOriginal),
+                  onlyReflection = lightShownAs(palette::onlyReflection),
+                  hidden = lightShownAs(palette::hiddenReflection), missed = lightShownAs(palette::noMirror);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     glm::vec3& pixel = picture.pixels[i];
     switch (match.classes[i]) {
@@ -29,16 +23,16 @@ Image markDifferences(Image picture, const Match& match) {
         break;
       }
       case PixelClass::onlyOriginal:
-        pixel = onlyOriginalColor;
+        pixel = onlyOriginal;
         break;
       case PixelClass::onlyReflection:
-        pixel = onlyReflectionColor;
+        pixel = onlyReflection;
         break;
       case PixelClass::hidden:
-        pixel = hiddenColor;
+        pixel = hidden;
         break;
       case PixelClass::missed:
-        pixel = missedColor;
+        pixel = missed;
         break;
     }
   }

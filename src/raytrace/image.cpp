@@ -10,9 +10,17 @@
 namespace anamorph {
 namespace {
 
+constexpr float shoulderStart = 0.75f;
+
 float shoulder(float x) {
-  constexpr float start = 0.75f;
-  return x <= start ? x : start + (1 - start) * (1 - std::exp(-(x - start) / (1 - start)));
+  constexpr float room = 1 - shoulderStart;
+  return x <= shoulderStart ? x : shoulderStart + room * (1 - std::exp(-(x - shoulderStart) / room));
+}
+
+// Light of this strength comes out of the shoulder as `y` < 1.
+double beforeShoulder(double y) {
+  constexpr double room = 1 - shoulderStart;
+  return y <= shoulderStart ? y : shoulderStart - room * std::log(1 - (y - shoulderStart) / room);
 }
 
 }  // namespace
@@ -26,6 +34,14 @@ float toDisplay(float linear) {
   if (!(linear > 0)) return 0;
   const float x = shoulder(linear);
   return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
+glm::vec3 lightShownAs(Rgb color) {
+  constexpr double most = 0.999;  // rounds to 0xFF
+  const Color light = lightOf(color);
+  glm::vec3 before(0);
+  for (int c = 0; c < 3; ++c) before[c] = static_cast<float>(beforeShoulder(std::min(light[c], most)));
+  return before;
 }
 
 Bitmap toBitmap(const Image& image) {

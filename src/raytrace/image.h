@@ -9,6 +9,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "math/color.h"
+
 namespace anamorph {
 
 struct Image {
@@ -38,6 +40,9 @@ struct Bitmap {
 /// infinity so that highlights keep their shape, then the sRGB curve. Negative values and NaN give 0. Shaders
 /// use the same formula.
 float toDisplay(float linear);
+
+/// The light that toBitmap() shows as exactly this colour; 0xFF, which no light reaches, as nearly that.
+glm::vec3 lightShownAs(Rgb color);
 
 /// Every channel through toDisplay(), rounded to 8 bits; RGB.
 Bitmap toBitmap(const Image& image);

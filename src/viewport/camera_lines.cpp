@@ -2,12 +2,11 @@
 
 #include <cmath>
 
+#include "math/palette.h"
 #include "optics/camera.h"
 
 namespace anamorph {
 namespace {
-
-constexpr Color orange{1, 0.35, 0}, steel{0.62, 0.66, 0.7}, highlight{1, 0.85, 0.2};
 
 // Image positions of the grid, in cells, to points of the screen.
 class Screen {
@@ -42,7 +41,7 @@ std::vector<Line> makeCameraLines(const Camera& camera, const PixelGrid& grid, b
     line.alpha = alpha;
     lines.push_back(line);
   };
-  const Color color = selected ? orange : steel;
+  const Color color = inkOf(selected ? palette::selected : palette::rtCamera);
   for (int i = 0; i <= columns; ++i) {
     const bool edge = i == 0 || i == columns;
     add(screen.at(i, 0), screen.at(i, rows), color, edge ? 1.6 : 0.8, edge ? 1 : 0.55);
@@ -58,7 +57,7 @@ std::vector<Line> makeCameraLines(const Camera& camera, const PixelGrid& grid, b
     const double x = cell->column, y = cell->row;
     const Point corners[] = {screen.at(x, y), screen.at(x + 1, y), screen.at(x + 1, y + 1),
                              screen.at(x, y + 1)};
-    for (int i = 0; i < 4; ++i) add(corners[i], corners[(i + 1) % 4], highlight, 2.5, 1);
+    for (int i = 0; i < 4; ++i) add(corners[i], corners[(i + 1) % 4], inkOf(palette::chosenCell), 2.5, 1);
   }
   return lines;
 }

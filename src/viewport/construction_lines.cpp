@@ -5,8 +5,6 @@
 namespace anamorph {
 namespace {
 
-constexpr Color green{0, 0.62, 0.45};  // Okabe and Ito's 009E73
-constexpr Color pale{0.75, 0.8, 0.85};
 constexpr double width = 3.2;
 
 Line styleOf(ConstructionSegment::Kind kind) {
@@ -19,13 +17,10 @@ Line styleOf(ConstructionSegment::Kind kind) {
       line = rayStyle(RayKind::reflected);
       break;
     case ConstructionSegment::Kind::virtualRay:
-      line.color = pale;
-      line.style = LineStyle::dotted;
+      line = makeLine(virtualRayLook);
       break;
     case ConstructionSegment::Kind::normal:
-      line.color = green;
-      line.style = LineStyle::dotted;
-      line.arrow = true;
+      line = makeLine(normalLook);
       break;
   }
   line.width = width;
@@ -48,7 +43,7 @@ std::vector<Line> makeConstructionLines(const Construction& construction) {
       Line line;
       line.from = arc.points[i - 1];
       line.to = arc.points[i];
-      line.color = green;
+      line.color = inkOf(palette::normal);
       line.width = 2.2;
       line.inFront = true;
       lines.push_back(line);

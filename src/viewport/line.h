@@ -3,10 +3,9 @@
 #pragma once
 
 #include "math/vec.h"
+#include "raytrace/ray_looks.h"
 
 namespace anamorph {
-
-enum class LineStyle { solid, dashed, dotted };
 
 struct Line {
   Point from{0};
@@ -21,5 +20,15 @@ struct Line {
 
   bool operator==(const Line&) const = default;
 };
+
+/// A line that looks so, between the same points.
+inline Line makeLine(const LineLook& look) {
+  Line line;
+  line.color = inkOf(look.color);
+  line.alpha = look.alpha;
+  line.style = look.style;
+  line.arrow = look.arrow;
+  return line;
+}
 
 }  // namespace anamorph

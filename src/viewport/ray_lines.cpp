@@ -156,39 +156,10 @@ std::vector<double> stopsAt(std::vector<double> ways, const RaySettings& setting
   return stops;
 }
 
-Color hex(int rgb) {
-  return Color((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
-}
-
 }  // namespace
 
 Line rayStyle(RayKind kind) {
-  Line line;
-  line.arrow = true;
-  switch (kind) {
-    case RayKind::camera:
-      line.color = hex(0x0072B2);
-      break;
-    case RayKind::reflected:
-      line.color = hex(0xD55E00);
-      line.style = LineStyle::dashed;
-      break;
-    case RayKind::light:
-      line.color = hex(0xF0E442);
-      line.style = LineStyle::dotted;
-      break;
-    case RayKind::shadow:
-      line.color = hex(0x555555);
-      line.style = LineStyle::dotted;
-      line.arrow = false;
-      break;
-    case RayKind::noHit:
-      line.color = hex(0x999999);
-      line.alpha = 0.5;
-      line.arrow = false;
-      break;
-  }
-  return line;
+  return makeLine(lookOf(kind).line);
 }
 
 std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySettings& settings,

@@ -1,6 +1,5 @@
 // Rays as lines: which of them are drawn, in which colour and style, and how far they have come while they
-// are animated. Colours are Okabe and Ito's, and every kind has a line style of its own too, so that nobody
-// depends on telling colours apart.
+// are animated.
 #pragma once
 
 #include <optional>
@@ -14,7 +13,7 @@
 
 namespace anamorph {
 
-/// How a kind of ray is drawn: from, to and alpha are the caller's. The legend asks too.
+/// How a kind of ray is drawn (raytrace/ray_looks.h): from, to and width are the caller's.
 Line rayStyle(RayKind kind);
 
 /// The segments of ray trees that the settings show; `only` restricts them to one tree. With animation, rays

@@ -6,6 +6,7 @@
 
 #include <glm/ext/vector_double4.hpp>
 
+#include "math/palette.h"
 #include "optics/shape_table.h"
 #include "raytrace/scene.h"
 #include "raytrace/tracer.h"
@@ -14,8 +15,7 @@ namespace anamorph {
 namespace {
 
 constexpr Material rtCameraMaterial{Color(0.055, 0.06, 0.07), 0.5, 0.9, 0.35, 30};
-constexpr Color mappedColor(0, 0.342, 0.171);  // bluish green of Okabe and Ito, linear light
-constexpr double markerRadius = 0.018;         // in radii of the scene
+constexpr double markerRadius = 0.018;  // in radii of the scene
 
 glm::vec4 pack(const Vector& v, double w = 0) {
   return glm::vec4(glm::dvec4(v, w));
@@ -107,7 +107,7 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
                   const SurfaceSlots& slots, const Point& origin) {
   const DisplaySettings& display = input.display;
   Material sculpture = input.level.sculpture.material;
-  if (display.statusColors) sculpture.color = mappedColor;
+  if (display.statusColors) sculpture.color = lightOf(palette::vertexStatus[0]);
   const Material* materials[] = {&sculpture, &input.level.original.material, &rtCameraMaterial};
   const bool solidOriginal = visible.original && !visible.ghost;
   const bool mirroredOriginal = visible.original && display.originalInMirror;
@@ -159,7 +159,8 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.wires = visible.sculpture && display.wireframe;
   visible.original = display.originalLook != OriginalLook::hidden && there(GpuSurface::original);
   visible.ghost = visible.original && display.originalLook == OriginalLook::ghost;
-  const bool outside = glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(input.level.grid, sceneRadius);
+  const bool outside =
+      glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(input.level.grid, sceneRadius);
   const bool shown = display.rtCamera && outside && isFinite(camera.eye) && isFinite(camera.target);
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&

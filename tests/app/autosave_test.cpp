@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "cli/program.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -27,7 +28,7 @@ using namespace testing;
 
 Level numbered(int number) {
   Level level;
-  level.title = "Number " + std::to_string(number);
+  level.text.edit([&](LevelText& text) { text.title = "Number " + std::to_string(number); });
   level.sculpture.depthScale = 1 + number;
   return level;
 }

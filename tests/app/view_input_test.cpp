@@ -141,10 +141,10 @@ TEST_F(ViewInput, APickedCellIsShownWhateverTheSource) {
 }
 
 TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
-  const Camera& camera = editor.session.level().camera;
+  const PixelGrid& grid = editor.session.level().grid;
   editor.rays.hideNoHit = false;
-  for (int row = 0; row < camera.gridRows; ++row) {
-    for (int column = 0; column < camera.gridColumns; ++column) {
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
       editor.cell = GridCell{column, row};
       advance(editor, 0);
       EXPECT_GT(rayCount(), 0u) << column << ", " << row;

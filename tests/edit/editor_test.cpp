@@ -10,6 +10,8 @@
 #include "edit/orbit.h"
 #include "optics/camera.h"
 #include "pipeline/changing_levels.h"
+#include "pipeline/stages.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -47,8 +49,9 @@ void advanceUntilStill(Editor& editor, double step = 0.016) {
 }
 
 void expectSeenByTheRtCamera(const Editor& editor) {
-  const Camera& camera = editor.session.level().camera;
-  EXPECT_EQ(editor.pose, lookThroughPose(camera, editor.viewWidth, editor.viewHeight));
+  const Level& level = editor.session.level();
+  const Camera& camera = level.camera;
+  EXPECT_EQ(editor.pose, lookThroughPose(camera, level.grid, editor.viewWidth, editor.viewHeight));
   EXPECT_EQ(editor.pose.eye, camera.eye);
   const ViewProjection view(editor.pose, editor.viewWidth, editor.viewHeight);
   const Projection rt(camera, editor.viewWidth, editor.viewHeight);
@@ -137,7 +140,7 @@ TEST(Editor, StaysWithTheRtCameraWhileThatMoves) {
   }
   editor.viewWidth = 300;  // and when the view is reshaped
   advance(editor, 0.016);
-  EXPECT_EQ(editor.pose, lookThroughPose(editor.session.level().camera, 300, 480));
+  EXPECT_EQ(editor.pose, lookThroughPose(editor.session.level().camera, editor.session.level().grid, 300, 480));
   toggleLookThrough(editor);
   for (int i = 0; i < 3; ++i) {
     moveCamera();
@@ -328,7 +331,7 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
     ASSERT_TRUE(construction);
     const Level& level = editor.session.level();
     const Point original = products.original.mesh->positions[products.original.mesh->triangles[3][1]];
-    const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, original, level.sculpture.depthScale);
+    const VertexRay ray = makeVertexRay(makeVertexMap(level), original);
     EXPECT_EQ(construction->ray.original, original);
     EXPECT_EQ(construction->ray.sculpture, ray.sculpture);
     Level next = level;
@@ -338,7 +341,7 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
     advance(editor, 0.016);
   }
   Level flat = editor.session.level();
-  std::get<CylinderMirror>(flat.optic.shape()).radius = 0;
+  changeShape<CylinderMirror>(flat.optic.shape(), [](auto& s) { s.radius = 0; });
   editor.session.change(flat);
   advance(editor, 0.016);
   EXPECT_FALSE(currentConstruction(editor)) << "there is no mirror";
@@ -366,7 +369,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
     editor.display.morph = fraction;
     const PreparedSculpture on = shownSculpture(editor);
     EXPECT_EQ(on.sculpture->mesh.positions,
-              morphPoints(whole, products.level.optic, products.level.camera.eye, fraction));
+              morphPoints(whole, makeVertexMap(products.level), fraction));
     EXPECT_EQ(*on.prepared.normals,
               computeNormals(on.sculpture->mesh.positions, whole.mesh.triangles, *on.prepared.normalGroups));
     EXPECT_EQ(on.prepared.mesh.get(), &on.sculpture->mesh);
@@ -398,7 +401,7 @@ TEST(Editor, MorphFollowsADrag) {
     EXPECT_EQ(on.status, whole.status);
     EXPECT_EQ(on.originalStatus, whole.originalStatus);
     EXPECT_EQ(on.mesh.triangles, whole.mesh.triangles);
-    EXPECT_EQ(on.mesh.positions, morphPoints(whole, level.optic, level.camera.eye, 0.7));
+    EXPECT_EQ(on.mesh.positions, morphPoints(whole, makeVertexMap(level), 0.7));
     int unmapped = 0;
     for (std::uint32_t t = 0; t < on.mesh.triangles.size(); ++t) {
       const Triangle& corners = on.mesh.triangles[t];

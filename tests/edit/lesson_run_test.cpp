@@ -10,6 +10,7 @@
 #include "edit/level_edits.h"
 #include "lesson_levels.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -29,7 +30,7 @@ class LessonRunTest : public ::testing::Test {
     Level level;
     std::get<BoxShape>(level.original.shape).segments = 2;
     level.sculpture.tolerancePixels = 1;
-    level.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}";
+    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}"; });
     folder_.save(level);
     openLevel(editor, folder_.path());
     editor.preview.size = 16;
@@ -107,16 +108,16 @@ TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
 
 TEST_F(LessonRunTest, IsThatOfTheLevelThatWasPasted) {
   open(step("first", R"([{"when": "movedEye"}])"));
-  const std::string own = editor.session.level().lesson;
+  const std::string own = editor.session.level().text->lesson;
   change([&](Level& level) {
-    level.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
-                   step("pasted", R"([{"when": "undone"}])") + "]}";
+    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
+                   step("pasted", R"([{"when": "undone"}])") + "]}"; });
   });
   EXPECT_EQ(editor.lesson.lesson.id, "other");
   editor.session.undo();
   evaluate(editor);
   EXPECT_EQ(editor.lesson.lesson.id, "test");
-  EXPECT_EQ(editor.session.level().lesson, own);
+  EXPECT_EQ(editor.session.level().text->lesson, own);
 }
 
 TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {

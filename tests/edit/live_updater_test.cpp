@@ -15,6 +15,7 @@
 #include "geometry/shapes.h"
 #include "pipeline/changing_levels.h"
 #include "raytrace/render.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -72,11 +73,11 @@ void expectEvaluated(const LevelResult& products, const Session& session, const 
   ASSERT_EQ(products.previews.difference == nullptr, wanted.previews.difference == nullptr);
   EXPECT_TRUE(!wanted.previews.difference || *products.previews.difference == *wanted.previews.difference);
   EXPECT_TRUE(products.refined && products.complete);
-  const Camera& camera = session.level().camera;
+  const PixelGrid& grid = session.level().grid;
   ASSERT_TRUE(products.scene && products.screen);
   EXPECT_EQ(products.scene->input, makeReflectionScene(session.level(), products.sculpture));
-  EXPECT_EQ(products.screen->width, camera.gridColumns);
-  EXPECT_EQ(products.screen->height, camera.gridRows);
+  EXPECT_EQ(products.screen->width, grid.columns);
+  EXPECT_EQ(products.screen->height, grid.rows);
 }
 
 /// What is shown in the frame of a change: all of it of the level as it is now.
@@ -88,7 +89,7 @@ void expectFollowing(const LevelResult& products, const Level& level) {
   ASSERT_TRUE(products.previews.reflection && products.previews.original);
   const int width = products.previews.reflection->width, height = products.previews.reflection->height;
   EXPECT_LE(std::max(width, height), 64) << "coarse";
-  EXPECT_EQ(pictureSize(level.camera, std::max(width, height)), std::pair(width, height));
+  EXPECT_EQ(pictureSize(level.grid, std::max(width, height)), std::pair(width, height));
   EXPECT_EQ(products.previews.original->width, width);
   EXPECT_EQ(products.previews.original->height, height);
   ASSERT_TRUE(products.scene && products.screen);
@@ -101,7 +102,7 @@ void expectFollowing(const LevelResult& products, const Level& level) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < sculpture.original.size(); ++i) {
     const MappedPoint mapped =
-        mapPoint(level.optic, level.camera.eye, sculpture.original[i], level.sculpture.depthScale);
+        mapPoint(makeVertexMap(level), sculpture.original[i]);
     wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
   }
   EXPECT_EQ(wrong, 0u);
@@ -267,9 +268,9 @@ TEST(LiveUpdater, ProblemComesAndGoes) {
   updater.finish(session, quick);
   const Level good = session.level();
   Level inside = good;
-  inside.camera.eye = std::get<SphereMirror>(good.optic.shape()).centre + Vector(0, 0, 0.5);
+  inside.camera.eye = shapeAs<SphereMirror>(good.optic.shape()).centre + Vector(0, 0, 0.5);
   Level flat = good;
-  std::get<SphereMirror>(flat.optic.shape()).radius = 0;
+  changeShape<SphereMirror>(flat.optic.shape(), [](auto& s) { s.radius = 0; });
   Level tiny = good;
   tiny.original.placement.scale = Vector(0);
   Level beside = good;
@@ -352,7 +353,7 @@ TEST(LiveUpdater, WhateverHappensMeanwhileTheEndIsRight) {
       EXPECT_NE(updater.result().problem->find("nothing.obj"), std::string::npos);
       level.original.shape = shapes[0];
     }
-    level.title = "the last one";  // whatever was cancelled
+    level.text.edit([&](LevelText& text) { text.title = "the last one"; });  // whatever was cancelled
     session.edit(level);
     updater.finish(session, quick);
     expectEvaluated(updater.result(), session, quick);
@@ -476,7 +477,7 @@ TEST(LiveUpdater, CancelStopsUntilTheLevelChanges) {
   updater.update(session, quick);
   updater.cancel();
   level = session.level();
-  level.title = "changed";
+  level.text.edit([&](LevelText& text) { text.title = "changed"; });
   session.edit(level);
   ASSERT_TRUE(updateUntil(updater, session, quick, [&] { return updater.result().complete; }));
   expectEvaluated(updater.result(), session, quick);

@@ -135,7 +135,7 @@ TEST(Pick, TheTopRowIsZero) {
   Level level;
   const Projection grid(level.camera, 8, 8);
   const auto hit = intersectGrid(
-      level.camera, {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
+      level.camera, level.grid, {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell.row, 0);
 }

@@ -1,8 +1,9 @@
-#include "exports/export_request.h"
+#include "exports/export_level.h"
 
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,12 +11,15 @@
 #include "base/error.h"
 #include "cli/program.h"
 #include "error_text.h"
+#include "exports/export_formats.h"
 #include "exports/match_report_files.h"
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "finished.h"
 #include "geometry/mesh_files.h"
 #include "in_dutch.h"
+#include "math/palette.h"
+#include "pipeline/stages.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -70,9 +74,8 @@ TEST(Export, VertexRaysAreThoseOfTheMap) {
     ASSERT_EQ(file.lines.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
       const VertexRay ray =
-          makeVertexRay(level.optic, level.camera.eye, vertices[(2 * i + 1) * vertices.size() / (2 * count)],
-                        level.sculpture.depthScale);
-      const Point expected[] = {ray.eye, ray.mirror, ray.sculpture};
+          makeVertexRay(makeVertexMap(level), vertices[(2 * i + 1) * vertices.size() / (2 * count)]);
+      const Point expected[] = {ray.eye, ray.legs.back().start, ray.sculpture};
       ASSERT_EQ(file.lines[i].size(), 3u);
       for (int k = 0; k < 3; ++k) {
         const Point got = file.points.at(file.lines[i][k] - 1);
@@ -156,7 +159,7 @@ TEST(Export, MatchPageHoldsThreePicturesOfItsSize) {
 
 TEST(Export, MatchPageEscapesTheTitle) {
   LevelResult finished = finishedLevel("1-plane");
-  finished.level.title = "<b>\"A & B\"</b>";
+  finished.level.text.edit([&](LevelText& text) { text.title = "<b>\"A & B\"</b>"; });
   const Image pixel(1, 1);
   {
     const InDutch dutch;
@@ -171,6 +174,22 @@ TEST(Export, MatchPageEscapesTheTitle) {
   EXPECT_THAT(html, HasSubstr("<h1>&lt;b&gt;&quot;A &amp; B&quot;&lt;/b&gt;</h1>"));
 }
 
+TEST(Export, MatchPageExplainsTheColoursOfItsPicture) {
+  const std::pair<PixelClass, Rgb> marked[] = {{PixelClass::onlyOriginal, palette::onlyOriginal},
+                                               {PixelClass::onlyReflection, palette::onlyReflection},
+                                               {PixelClass::hidden, palette::hiddenReflection},
+                                               {PixelClass::missed, palette::noMirror}};
+  const Image pixel(1, 1);
+  const std::string page = makeMatchPage(finishedLevel("1-plane"), {}, {pixel, pixel, pixel});
+  for (const auto& [kind, color] : marked) {
+    Match match;
+    match.classes = {kind};
+    const Bitmap bitmap = toBitmap(markDifferences(Image(1, 1), match));
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(bitmap.bytes[static_cast<std::size_t>(c)], channelOf(color, c));
+    EXPECT_THAT(page, HasSubstr(fmt::format("background:#{:06x}", static_cast<std::uint32_t>(color))));
+  }
+}
+
 TEST(Export, Base64IsThatOfItsStandard) {
   const char* pairs[][2] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}};
   for (const auto& [bytes, text] : pairs) EXPECT_EQ(encodeBase64(bytes), text);
@@ -178,7 +197,7 @@ TEST(Export, Base64IsThatOfItsStandard) {
 
 TEST(Export, GoesWithoutAMirror) {
   Level level = finishedLevel("1-plane").level;
-  level.optic.kind = OpticKind::canvas;
+  level.optic.parts.front().kind = OpticKind::canvas;
   level.sculpture.depthScale = 0.3;
   const LevelResult finished = finish(level);
   const TemporaryFolder folder;

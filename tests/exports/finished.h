@@ -5,6 +5,7 @@
 #include <string>
 
 #include "level/level_json.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 

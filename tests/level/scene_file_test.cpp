@@ -8,6 +8,7 @@
 
 #include "error_text.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -131,7 +132,7 @@ TEST(SceneFile, UnknownKeysWarnAndAreNotKept) {
   const LoadedLevel loaded =
       parseLevel(sceneOf(both(sphere, R"({"type": "mesh", "position": [0, 7, 4], "color": 1})")), "s.json");
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"s.json: /Objects/1/color: unknown key, ignored"});
-  EXPECT_TRUE(loaded.level.unknownKeys.empty());
+  EXPECT_TRUE(loaded.level.text->unknownKeys.empty());
 }
 
 TEST(SceneFile, WithAModelItCanBeSavedAsALevel) {

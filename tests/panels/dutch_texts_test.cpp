@@ -81,7 +81,8 @@ std::vector<fs::path> sourceFiles(const std::string& room = "") {
 // notice. What the others say goes to the command line, to logs and into files, which stay English.
 std::vector<fs::path> filesThatSpeak() {
   std::vector<fs::path> files;
-  const std::set<std::string> rooms{"anamorphosis", "edit", "exports", "optics", "panels", "pipeline"};
+  const std::set<std::string> rooms{"anamorphosis", "edit",     "exports", "optics",
+                                    "panels",       "pipeline", "raytrace"};
   const std::vector<const char*> marks{" tr(", "(tr(", "Notice{"};
   for (const fs::path& file : sourceFiles()) {
     const std::string code = textOf(file);

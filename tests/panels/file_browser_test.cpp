@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
+#include "exports/export_formats.h"
 #include "panels/dialog.h"
 #include "panels/file_flow.h"
 #include "panels_fixture.h"
@@ -17,6 +18,8 @@ namespace anamorph::testing {
 namespace {
 
 namespace fs = std::filesystem;
+
+const FilePurpose saveMesh = FilePurpose::toSave(formatOf(ExportKind::sculpture));
 
 class Browser : public PanelsTest {
  protected:
@@ -31,7 +34,7 @@ class Browser : public PanelsTest {
     open("1-plane");
   }
 
-  void browse(FilePurpose purpose, const std::string& start = "") {
+  void browse(const FilePurpose& purpose, const std::string& start = "") {
     browseFiles(ui, purpose, start.empty() ? folder_ / "" : start);
     frames(3);
   }
@@ -100,7 +103,7 @@ TEST_F(Browser, IsUsedByKeysAlone) {
 
 TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
   browse(FilePurpose::openMesh);
-  ui.browser.purpose = FilePurpose::saveMesh;
+  ui.browser.purpose = saveMesh;
   browse(FilePurpose::saveImage);
   type("picture");
   key(keys::enter);
@@ -228,17 +231,17 @@ TEST_F(Browser, WhileItAsksNothingElseCanBeChosen) {
 }
 
 TEST_F(Browser, ProposesNameAndEnding) {
-  browse(FilePurpose::saveMesh, at("works/sculpture.stl"));
+  browse(saveMesh, at("works/sculpture.stl"));
   EXPECT_EQ(ui.browser.folder, at("works"));
   EXPECT_EQ(ui.browser.text, "sculpture.stl");
   type("other");  // the proposed name is selected: typing replaces it
   EXPECT_EQ(ui.browser.text, "other");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveMesh), fs::path(at("works/other.stl")));
-  browse(FilePurpose::saveMesh, at("works/sculpture.stl"));
+  EXPECT_EQ(takeChosenFile(ui, saveMesh), fs::path(at("works/other.stl")));
+  browse(saveMesh, at("works/sculpture.stl"));
   type("other.ply");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveMesh), fs::path(at("works/other.ply")));
+  EXPECT_EQ(takeChosenFile(ui, saveMesh), fs::path(at("works/other.ply")));
 }
 
 TEST_F(Browser, ASelectedFilesNameCanBeSavedTo) {
@@ -343,7 +346,7 @@ TEST_F(Browser, FitsEveryWindow) {
       SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
       ImGui::GetIO().DisplaySize = {width, height};
       setLook(theme, scale * themeScale(theme));
-      browse(FilePurpose::saveMesh, at("sculpture.stl"));
+      browse(saveMesh, at("sculpture.stl"));
       ui.browser.problem = "Something did not work, and here is the reason why that was so";
       frames(2);
       ui.browser.replace = at("works/mine.json");

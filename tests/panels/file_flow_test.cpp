@@ -112,14 +112,14 @@ TEST_F(FileFlow, AFileThatAnotherProgramWroteIsReplacedOnlyWhenAsked) {
   const fs::path file = folder_ / "mine.json";
   fs::copy_file(folder_ / "other.json", file, fs::copy_options::overwrite_existing);
   fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(5));
-  const std::string theirs = loadLevel(file).level.title;
+  const std::string theirs = loadLevel(file).level.text->title;
   act(Action::save);
   ASSERT_TRUE(ui.browser.open);
   EXPECT_NE(ui.browser.problem.find("another program"), std::string::npos);
-  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  EXPECT_EQ(loadLevel(file).level.text->title, theirs);
   key(keys::escape);
   EXPECT_TRUE(editor.session.modified());
-  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  EXPECT_EQ(loadLevel(file).level.text->title, theirs);
   act(Action::save);
   key(keys::enter);  // the name that is proposed
   key(keys::enter);  // replace it
@@ -288,7 +288,7 @@ TEST_F(FileFlow, QuittingTellsWhatWasLeft) {
 TEST_F(FileFlow, ProposesANameMadeOfTheTitle) {
   act(Action::newLevel);
   Level level = editor.session.level();
-  level.title = " Mijn 1e zuil: (blauw)! ";
+  level.text.edit([&](LevelText& text) { text.title = " Mijn 1e zuil: (blauw)! "; });
   editor.session.edit(level);
   act(Action::saveAs);
   EXPECT_EQ(ui.browser.text, "mijn-1e-zuil-blauw.json");

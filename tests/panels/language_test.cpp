@@ -17,9 +17,11 @@
 #include "edit/replacements.h"
 #include "panels/dialog.h"
 #include "panels/dutch.h"
+#include "panels/export_entries.h"
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
 #include "pipeline/stages.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {
@@ -33,10 +35,7 @@ TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
   std::vector<std::string> names;
   for (int i = 0; i < 4; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
   for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
-  for (const Shape& shape :
-       {Shape(PlaneMirror{}), Shape(CylinderMirror{}), Shape(SphereMirror{})}) {
-    names.emplace_back(shapeName(shape));
-  }
+  for (const ShapeType& type : shapeTypes()) names.emplace_back(type.name);
   names.emplace_back(surfaceName({OpticKind::mirror, {}}));
   names.emplace_back(surfaceName({OpticKind::canvas, {}}));
   for (const std::string& name : names) EXPECT_EQ(known.count(name), 1u) << name;
@@ -169,7 +168,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   editor.rays.lightRays = true;
   editor.preview.expanded = false;
   Level own = editor.session.level();
-  own.title = own.description = "«its author's words»";  // which are edited as they are
+  own.text = LevelText{"«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
     openTab(editor, ui, static_cast<PropertyTab>(tab));
@@ -197,13 +196,7 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
     open(name);
     const Level before = editor.session.level();
     Level level = before;
-    level.camera.eye = std::visit(
-        [](const auto& mirror) {
-          if constexpr (requires { mirror.centre; }) return mirror.centre;
-          if constexpr (requires { mirror.top; }) return 0.5 * (mirror.top + mirror.bottom);
-          if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
-        },
-        level.optic.shape());
+    level.camera.eye = middleOf(level.optic.shape());
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
     openTab(editor, ui, PropertyTab::eye);
@@ -233,10 +226,11 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   EXPECT_TRUE(hasSeen("Words"));
   ui.helpOpen = false;
   ui.exporting.open = true;
-  for (int kind = 0; kind < 6; ++kind) {
-    ui.exporting.kind = kind;
-    look("export " + std::to_string(kind));
+  for (std::size_t kind = 0; kind < exportEntries().size(); ++kind) {
+    ui.exporting.kind = static_cast<int>(kind);
+    look(std::string("export ") + exportEntries()[kind].name);
   }
+  EXPECT_TRUE(hasSeen("Times as large")) << "the screenshot's";
   ui.exporting.open = false;
   ui.render.open = true;
   look("render");
@@ -255,11 +249,13 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
 TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   open("2-cylinder");
   const fs::path folder = fs::path(ANAMORPH_TEST_DATA) / "levels";
-  for (int purpose = 0; purpose < 8; ++purpose) {
+  std::vector<FilePurpose> purposes{FilePurpose::openLevel, FilePurpose::saveLevel, FilePurpose::openMesh};
+  for (const ExportEntry& entry : exportEntries()) purposes.push_back(entry.purpose);
+  for (const FilePurpose& purpose : purposes) {
     ui.browser.root = folder;
-    browseFiles(ui, static_cast<FilePurpose>(purpose), folder / "file.json");
+    browseFiles(ui, purpose, folder / "file.json");
     frames(2);
-    look("browser " + std::to_string(purpose));
+    look(std::string("browser: ") + purpose.title);
   }
   ui.browser = {};
   frames(2);

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "pipeline/changing_levels.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -38,7 +39,7 @@ void expectSameReport(const MatchReport& a, const MatchReport& b) {
 
 /// By value: what was made anew has other pointers.
 void expectSame(const LevelResult& a, const LevelResult& b) {
-  EXPECT_EQ(a.input, b.input);
+  EXPECT_EQ(a.level, b.level);
   EXPECT_EQ(*a.shape, *b.shape);
   EXPECT_EQ(*a.original.mesh, *b.original.mesh);
   EXPECT_EQ(a.sculpture.sculpture->mesh, b.sculpture.sculpture->mesh);
@@ -66,7 +67,7 @@ LevelResult evaluateAlone(const EvaluationInput& input) {
 
 TEST(Evaluator, MakesWhatTheCommandsMake) {
   for (const Level& level : quickLevels()) {
-    SCOPED_TRACE(level.title);
+    SCOPED_TRACE(level.text->title);
     Evaluator evaluator;
     const LevelResult settled = *evaluator.evaluate(inputOf(level), 2);
     EXPECT_EQ(settled.problem, std::nullopt);
@@ -74,10 +75,10 @@ TEST(Evaluator, MakesWhatTheCommandsMake) {
     const LevelResult finished = *finishLevel(level, placedOriginal(level), 1);
     EXPECT_EQ(*settled.original.mesh, *finished.original.mesh);
     EXPECT_EQ(settled.sculpture.sculpture->mesh, finished.sculpture.sculpture->mesh);
-    EXPECT_EQ(settled.warnings, findWarnings(level, *finished.sculpture.sculpture));
-    const auto [matchWidth, matchHeight] = pictureSize(level.camera, matchSize);
+    EXPECT_EQ(settled.warnings, findWarnings(level, finished.sculpture));
+    const auto [matchWidth, matchHeight] = pictureSize(level.grid, matchSize);
     expectSameReport(settled.match->report, matchLevel(finished, matchWidth, matchHeight, 1).report);
-    const auto [width, height] = pictureSize(level.camera, 48);
+    const auto [width, height] = pictureSize(level.grid, 48);
     const ImageRequest request = makeImageRequest(level, width, height, 1);
     EXPECT_EQ(*settled.previews.reflection, *makePicture(finished, PictureKind::reflection, request));
     EXPECT_EQ(*settled.previews.original, *makePicture(finished, PictureKind::original, request));
@@ -91,7 +92,7 @@ TEST(Evaluator, KeepsEachStageWhoseInputStays) {
   Evaluator evaluator;
   const LevelResult first = *evaluator.evaluate(inputOf(level), 2);
 
-  level.title = "another one";
+  level.text.edit([&](LevelText& text) { text.title = "another one"; });
   const LevelResult retitled = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(retitled.shape, first.shape);
   EXPECT_EQ(retitled.original, first.original);
@@ -144,7 +145,7 @@ TEST(Evaluator, RandomEditsGiveWhatAFreshOneGives) {
 
 /// Everything that `before` has, `after` has too.
 void expectGrown(const LevelResult& before, const LevelResult& after) {
-  EXPECT_EQ(after.input, before.input);
+  EXPECT_EQ(after.level, before.level);
   EXPECT_EQ(after.shape, before.shape);
   EXPECT_EQ(after.original, before.original);
   EXPECT_EQ(after.sculpture, before.sculpture);
@@ -160,11 +161,11 @@ void expectGrown(const LevelResult& before, const LevelResult& after) {
 TEST(Evaluator, PartsOnlyEverGainThings) {
   std::vector<Level> levels = quickLevels();
   levels.push_back(levels[2]);
-  levels.back().camera.eye = std::get<SphereMirror>(levels[2].optic.shape()).centre;
+  levels.back().camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre;
   for (const Level& level : levels) {
     Evaluator evaluator;
     for (int run = 0; run < 2; ++run) {
-      SCOPED_TRACE(level.title + ", run " + std::to_string(run));
+      SCOPED_TRACE(level.text->title + ", run " + std::to_string(run));
       std::vector<LevelResult> parts;
       double reported = 0;
       Progress progress;
@@ -254,10 +255,10 @@ std::vector<Trouble> troubles() {
       {"eye in the original", levels[0], "the eye is inside the original's box"},
       {"original beside the mirror", levels[0], "no triangle of the original can be mapped"},
       {"original before the mirror", levels[2], "between the eye and the mirror"}};
-  all[0].level.camera.eye = std::get<SphereMirror>(levels[2].optic.shape()).centre + Vector(0, 0, 0.5);
-  std::get<SphereMirror>(all[1].level.optic.shape()).radius = 0;
-  std::get<CylinderMirror>(all[2].level.optic.shape()).radius = 0;
-  std::get<PlaneMirror>(all[3].level.optic.shape()).corners = {Point(1), Point(1), Point(1), Point(1)};
+  all[0].level.camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre + Vector(0, 0, 0.5);
+  changeShape<SphereMirror>(all[1].level.optic.shape(), [](auto& s) { s.radius = 0; });
+  changeShape<CylinderMirror>(all[2].level.optic.shape(), [](auto& s) { s.radius = 0; });
+  changeShape<PlaneMirror>(all[3].level.optic.shape(), [](auto& s) { s.corners.fill(Point(1)); });
   all[4].level.original.placement.scale = Vector(0);
   all[5].level.original.placement.scale = Vector(0);
   all[5].level.sculpture.tolerancePixels = 0;
@@ -327,10 +328,10 @@ TEST(Evaluator, PreviewSizeZeroIsThePixelGrid) {
 
 TEST(PictureSize, HasTheGridsSidesAndAtLeastAPixel) {
   const auto size = [](int columns, int rows, int longer) {
-    Camera camera;
-    camera.gridColumns = columns;
-    camera.gridRows = rows;
-    return pictureSize(camera, longer);
+    PixelGrid grid;
+    grid.columns = columns;
+    grid.rows = rows;
+    return pictureSize(grid, longer);
   };
   EXPECT_EQ(size(8, 8, 256), std::pair(256, 256));
   EXPECT_EQ(size(16, 9, 256), std::pair(256, 144));

@@ -51,6 +51,15 @@ TEST(ToDisplay, WhatIsNoLightIsBlack) {
   EXPECT_EQ(toDisplay(std::numeric_limits<float>::quiet_NaN()), 0);
 }
 
+TEST(LightShownAs, IsTheWayBackFromEveryByte) {
+  for (std::uint32_t byte = 0; byte <= 255; ++byte) {
+    Image image(1, 1);
+    image.at(0, 0) = lightShownAs(Rgb{byte << 16 | (255 - byte) << 8 | byte});
+    const auto b = static_cast<std::uint8_t>(byte);
+    EXPECT_EQ(toBitmap(image), bitmapOf(1, 1, {b, static_cast<std::uint8_t>(255 - byte), b}));
+  }
+}
+
 TEST(ToBitmap, RoundsEveryChannel) {
   Image image(2, 1);
   image.at(0, 0) = {0, 0.5f, 100};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "raytrace/test_scenes.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {

@@ -98,18 +98,7 @@ TEST_P(Parity, HoldsFarFromTheOrigin) {
   LevelResult finished = finishedLevel(GetParam());
   const Vector away(4000, -7000, 0);  // a multiple of the grid of the ground
   Level& level = finished.level;
-  struct Mover {
-    const Vector& by;
-    void operator()(PlaneMirror& plane) const {
-      for (Point& corner : plane.corners) corner += by;
-    }
-    void operator()(CylinderMirror& cylinder) const {
-      cylinder.bottom += by;
-      cylinder.top += by;
-    }
-    void operator()(SphereMirror& sphere) const { sphere.centre += by; }
-  };
-  std::visit(Mover{away}, level.optic.shape());
+  level.optic.shape() = mapShape(level.optic.shape(), {[&](const Point& p) { return p + away; }});
   for (Point* p : {&level.camera.eye, &level.camera.target, &level.original.placement.position}) *p += away;
   for (PointLight& light : level.lights) light.position += away;
   const auto shape = loadOriginal(level.original.shape, "");

@@ -82,6 +82,8 @@ TEST(RayStyle, KindsDifferInColourAndAlsoWithoutColour) {
   std::set<std::string> looks, colors;
   for (const RayKind kind : allKinds) {
     const Line line = rayStyle(kind);
+    EXPECT_EQ(line, makeLine(lookOf(kind).line)) << "as the legend says";
+    EXPECT_EQ(line.color, inkOf(lookOf(kind).line.color));
     colors.insert(std::to_string(line.color.x) + "," + std::to_string(line.color.y) + "," +
                   std::to_string(line.color.z));
     looks.insert(std::to_string(int(line.style)) + std::to_string(line.arrow) + std::to_string(line.alpha));
@@ -336,8 +338,7 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
     for (int i = 0; i < wanted; ++i) {
       const int vertex = int((2LL * i + 1) * count / (2LL * wanted));
       seen.insert(vertex);
-      const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, original->positions[vertex],
-                                          level.sculpture.depthScale);
+      const VertexRay ray = makeVertexRay(makeVertexMap(level), original->positions[vertex]);
       const bool mapped = ray.status == PathStatus::mapped;
       unmapped += !mapped;
       if (!mapped && settings.hideNoHit) continue;
@@ -350,10 +351,10 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
         EXPECT_GE(lengthOf(first) * (1 + 1e-12), glm::length(ray.original - ray.eye)) << "past P, or to it";
         continue;
       }
-      EXPECT_EQ(first.to, ray.mirror);
+      EXPECT_EQ(first.to, ray.legs.back().start);
       ASSERT_LT(next, lines.size());
       const Line& second = lines[next++];
-      EXPECT_EQ(second.from, ray.mirror);
+      EXPECT_EQ(second.from, ray.legs.back().start);
       EXPECT_EQ(second.to, ray.sculpture);
       EXPECT_EQ(second.color, rayStyle(RayKind::reflected).color);
     }

@@ -8,6 +8,7 @@
 
 #include "gl/test_context.h"
 #include "level/level_json.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
@@ -43,7 +44,7 @@ inline ViewportInput startInput(const LevelResult& finished, int width = 160, in
 /// Only what the tracer's picture shows, from the RT camera's place.
 inline ViewportInput tracerInput(const LevelResult& finished, int width, int height) {
   ViewportInput input = startInput(finished, width, height);
-  input.pose = lookThroughPose(finished.level.camera, width, height);
+  input.pose = lookThroughPose(finished.level.camera, finished.level.grid, width, height);
   input.display.originalLook = OriginalLook::hidden;
   input.display.rtCamera = false;
   input.display.lightMarkers = false;

@@ -5,6 +5,7 @@
 
 #include "geometry/shapes.h"
 #include "viewport/viewport_fixture.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {
@@ -130,7 +131,8 @@ TEST_F(View, SurvivesNonsense) {
   inputs[7].level.optic.shape() = SphereMirror{{0, 0, 0}, 1e30};
   inputs[8].level.camera.eye = {nan, inf, 0};
   inputs[9].level.lights.assign(100, PointLight{{nan, 0, 3}, Color(inf), 1e300});
-  inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0, nan};
+  inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  inputs[10].level.grid = {0, 0, nan};
   inputs[11].pose = {{0.5, 0, 4}, {0, 0, 4}, {0, 0, 1}, 100, false};  // in the mirror
   inputs[12].level.camera.fovDegrees = nan;
   inputs[13] = inputs[9];

@@ -1,19 +1,18 @@
-#include "exports/export_request.h"
+#include "exports/export_writers.h"
 
-#include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "base/check.h"
-#include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/language.h"
+#include "exports/arrangement.h"
 #include "exports/match_report_files.h"
 #include "exports/page_file.h"
 #include "exports/printable.h"
 #include "exports/ray_file.h"
+#include "exports/viewing_sheet.h"
 #include "geometry/mesh_files.h"
 #include "raytrace/png.h"
 
@@ -21,20 +20,6 @@ namespace anamorph {
 namespace {
 
 constexpr double hiddenWorthSaying = 0.005;  // share of the pixels
-
-bool isOneOf(const std::string& ending, std::initializer_list<const char*> endings) {
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
-}
-
-// Files of another kind than their ending says would not open.
-void checkEnding(const ExportRequest& request) {
-  auto kind = findExportKind(request.path);
-  if (request.kind == ExportKind::rays && lowerEnding(request.path) == ".obj") kind = ExportKind::rays;
-  if (kind != request.kind) {
-    throw Error(std::string("expected a file name that ends in ") + exportEndings(request.kind),
-                request.path.string());
-  }
-}
 
 std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
@@ -55,8 +40,10 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   return warnings;
 }
 
+}  // namespace
+
 std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
-                                            const Progress& progress) {
+                                            int /*threads*/, const Progress& progress) {
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
   Mesh& mesh = arrangement.sculpture;
@@ -76,8 +63,8 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
   return summary;
 }
 
-std::optional<ExportSummary> writeSheet(const LevelResult& finished, const ExportRequest& request,
-                                        const Progress& progress) {
+std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, const ExportRequest& request,
+                                               int /*threads*/, const Progress& progress) {
   const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   if (!progress.update(0.3)) return std::nullopt;
   const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
@@ -92,7 +79,7 @@ std::optional<ExportSummary> writeSheet(const LevelResult& finished, const Expor
 }
 
 std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request,
-                                       const Progress& progress) {
+                                       int /*threads*/, const Progress& progress) {
   const bool ofVertices = request.vertexRays.has_value();
   const auto text =
       ofVertices ? makeVertexRayObj(finished, *request.vertexRays, request.millimetresPerUnit, progress)
@@ -102,8 +89,8 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
   return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
 }
 
-std::optional<ExportSummary> writeMatch(const LevelResult& finished, const ExportRequest& request,
-                                        int threads, const Progress& progress) {
+std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
+                                              int threads, const Progress& progress) {
   const auto [width, height] = pictureSize(finished.level.grid, request.size);
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
   if (progress.cancelled()) return std::nullopt;
@@ -139,52 +126,6 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
   if (!image) return std::nullopt;
   savePng(request.path, *image);
   return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height), {}};
-}
-
-}  // namespace
-
-std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
-  const std::string ending = lowerEnding(path);
-  if (isMeshFile(path)) return ExportKind::sculpture;
-  if (isOneOf(ending, {".pdf", ".svg"})) return ExportKind::viewingSheet;
-  if (isOneOf(ending, {".html", ".json"})) return ExportKind::matchReport;
-  if (ending == ".png") return ExportKind::picture;
-  return std::nullopt;
-}
-
-const char* exportEndings(ExportKind kind) {
-  constexpr const char* endings[] = {".obj, .stl or .ply", ".pdf or .svg", ".obj", ".html or .json", ".png"};
-  return endings[static_cast<int>(kind)];
-}
-
-std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
-                                         int threads, const Progress& progress) {
-  checkEnding(request);
-  CHECK(finished.sculpture.sculpture && !finished.sculpture.sculpture->mesh.triangles.empty());
-  if (!progress.update(0)) return std::nullopt;
-  switch (request.kind) {
-    case ExportKind::sculpture:
-      return writeSculpture(finished, request, progress);
-    case ExportKind::viewingSheet:
-      return writeSheet(finished, request, progress);
-    case ExportKind::rays:
-      return writeRays(finished, request, progress);
-    case ExportKind::matchReport:
-      return writeMatch(finished, request, threads, progress);
-    case ExportKind::picture:
-      break;
-  }
-  return writePicture(finished, request, threads, progress);
-}
-
-std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit,
-                                         int threads, const Progress& progress) {
-  return checkPrint(makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit), threads, progress);
-}
-
-std::size_t countNotMapped(const LevelResult& finished) {
-  const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-  return std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
 }
 
 }  // namespace anamorph

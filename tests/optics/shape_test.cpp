@@ -1,10 +1,11 @@
-#include "optics/mirror_shapes.h"
+#include "optics/shape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "optics/optic.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-TEST(MirrorShapes, PlaneIsHitInsideItsQuadOnly) {
+TEST(Shapes, PlaneIsHitInsideItsQuadOnly) {
   const PlaneMirror plane;  // x and z from -1 to 1 at y = 0
   const auto hit = intersect(plane, {{0.5, -2, 0.25}, {0, 1, 0}});
   ASSERT_TRUE(hit);
@@ -24,20 +25,20 @@ TEST(MirrorShapes, PlaneIsHitInsideItsQuadOnly) {
   EXPECT_FALSE(intersect(plane, {{0, -2, 0}, {1, 0, 0}})) << "parallel to the plane";
 }
 
-TEST(MirrorShapes, BothSidesOfThePlaneReflect) {
+TEST(Shapes, BothSidesOfThePlaneReflect) {
   const auto hit = intersect(PlaneMirror{}, {{0, 3, 0}, {0, -1, 0}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->normal, Direction(0, 1, 0));
 }
 
-TEST(MirrorShapes, DirectionLengthIsTheUnitOfT) {
+TEST(Shapes, DirectionLengthIsTheUnitOfT) {
   const auto hit = intersect(SphereMirror{Point(0), 1}, {{0, -5, 0}, {0, 8, 0}});
   ASSERT_TRUE(hit);
   EXPECT_DOUBLE_EQ(hit->t, 0.5);
   EXPECT_EQ(hit->normal, Direction(0, -1, 0));
 }
 
-TEST(MirrorShapes, CylinderEndsAtItsEnds) {
+TEST(Shapes, CylinderEndsAtItsEnds) {
   const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
   EXPECT_TRUE(intersect(tube, {{0, -5, 1.9}, {0, 1, 0}}));
   EXPECT_FALSE(intersect(tube, {{0, -5, 2.1}, {0, 1, 0}}));
@@ -45,7 +46,7 @@ TEST(MirrorShapes, CylinderEndsAtItsEnds) {
   EXPECT_FALSE(intersect(tube, {{0, 0, -5}, {0, 0, 1}})) << "along the axis";
 }
 
-TEST(MirrorShapes, OpenTubeIsHitFromInsideThroughItsEnd) {
+TEST(Shapes, OpenTubeIsHitFromInsideThroughItsEnd) {
   const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
   const auto hit = intersect(tube, {{0, -2, 3}, glm::normalize(Vector(0, 1, -0.6))});
   ASSERT_TRUE(hit);
@@ -53,7 +54,7 @@ TEST(MirrorShapes, OpenTubeIsHitFromInsideThroughItsEnd) {
   EXPECT_NEAR(hit->normal.y, -1, 1e-12);
 }
 
-TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
+TEST(Shapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
   for (const ShapeKind kind : allShapeKinds) {
     for (unsigned seed = 0; seed < 1000; ++seed) {
       SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
@@ -69,7 +70,7 @@ TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
   }
 }
 
-TEST(MirrorShapes, TessellationLiesOnTheSurface) {
+TEST(Shapes, TessellationLiesOnTheSurface) {
   Random random(1);
   for (const ShapeKind kind : allShapeKinds) {
     const RandomScene scene = makeRandomScene(kind, random);
@@ -78,14 +79,14 @@ TEST(MirrorShapes, TessellationLiesOnTheSurface) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Point p = mesh.positions[i];
       double off = 0;
-      if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape())) {
-        off = glm::dot(p - plane->corners[0], planeNormal(*plane));
-      } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape())) {
+      if (const auto* plane = scene.optic.shape().as<PlaneMirror>()) {
+        off = glm::dot(p - plane->corners[0], plane->normal());
+      } else if (const auto* tube = scene.optic.shape().as<CylinderMirror>()) {
         const Direction axis = glm::normalize(tube->top - tube->bottom);
         const Vector w = p - tube->bottom;
         off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
       } else {
-        const auto& sphere = std::get<SphereMirror>(scene.optic.shape());
+        const auto& sphere = shapeAs<SphereMirror>(scene.optic.shape());
         off = glm::length(p - sphere.centre) - sphere.radius;
       }
       EXPECT_NEAR(off, 0, 1e-12);

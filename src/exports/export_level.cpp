@@ -1,0 +1,35 @@
+#include "exports/export_level.h"
+
+#include <numeric>
+#include <string>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "exports/export_formats.h"
+#include "exports/printable.h"
+
+namespace anamorph {
+
+std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
+                                         int threads, const Progress& progress) {
+  const ExportFormat& format = formatOf(request.kind);
+  // Files of another kind than their ending says would not open.
+  if (!hasEnding(format, request.path)) {
+    throw Error("expected a file name that ends in " + exportEndings(request.kind), request.path.string());
+  }
+  CHECK(finished.sculpture.sculpture && !finished.sculpture.sculpture->mesh.triangles.empty());
+  if (!progress.update(0)) return std::nullopt;
+  return format.write(finished, request, threads, progress);
+}
+
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit, int threads,
+                                         const Progress& progress) {
+  return checkPrint(makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit), threads, progress);
+}
+
+std::size_t countNotMapped(const LevelResult& finished) {
+  const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
+  return std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
+}
+
+}  // namespace anamorph
