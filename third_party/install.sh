@@ -16,11 +16,11 @@ optional=()  # installed where the system has them; what uses them is left out e
 for argument in "$@"; do
   case "$argument" in
     --tests)
-      packages+=(libgtest-dev libgmock-dev xvfb xauth xdotool)
+      packages+=(libgtest-dev libgmock-dev xvfb xauth xdotool gettext)
       optional+=(clang-14 libc++-14-dev)  # the core also has to compile for the web's toolchain
       ;;
     --benchmarks)
-      packages+=(libbenchmark-dev)
+      packages+=(libbenchmark-dev xvfb)
       optional+=(libembree-dev)  # a peer to compare with
       ;;
     *)

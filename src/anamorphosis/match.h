@@ -1,9 +1,8 @@
 // The match report: how well does what the mirror shows of the sculpture agree with the original seen
 // directly? (method section 6). For every pixel of the RT camera's image two rays are asked:
 //
-//   direct:    eye ------------------------> original        (alone: no mirror, no sculpture)
-//   reflected: eye ----> mirror ----> sculpture              (and the sculpture may stand in the way of the
-//   first part)
+//   direct:    eye ---------------------> original     alone: no mirror, no sculpture
+//   reflected: eye ----> mirror ----> sculpture        which may itself stand between eye and mirror
 //
 // A reflected hit lies on a sculpture triangle, so at a known point of the original: where the camera would
 // see that point is where it should be. Without a mirror the sculpture is seen directly. Nothing here knows

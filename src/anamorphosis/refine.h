@@ -3,15 +3,20 @@
 // Edges are judged one by one and split in the middle where the straight edge is seen to be off its curve, so
 // both triangles of an edge agree and no crack opens:
 //
-//      one edge         two edges          three edges
-//         *                 *                   *
-//        / \               / \                 / \           The four-fold fall of the error at each halving
-//       /   \             *---*               *---*          (fact F8) ends it after a few rounds.
-//      *--*--*           / `-. \             / \ / \        .
-//       (to the top)    *-------*           *---*---*
+//      one edge           two edges           three edges
+//          *                  *                    *
+//         /|\                / \                  / \      Each halving makes the error
+//        / | \              *---*                *---*     four times smaller (fact F8),
+//       /  |  \            / `-. \              / \ / \    so a few rounds are enough.
+//      *---*---*          *-------*            *---*---*
 #pragma once
 
-#include "anamorphosis/sculpture.h"
+#include <cstdint>
+#include <vector>
+
+#include "anamorphosis/deform_input.h"
+#include "anamorphosis/map_points.h"
+#include "base/progress.h"
 
 namespace anamorph {
 

@@ -13,6 +13,7 @@
 #include "app/languages.h"
 #include "base/error.h"
 #include "base/resources.h"
+#include "edit/advance.h"
 #include "gl/load_gl.h"
 #include "panels/actions.h"
 #include "panels/dialog.h"

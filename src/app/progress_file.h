@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "edit/lesson_run.h"
+#include "edit/lesson_state.h"
 
 namespace anamorph {
 

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "cli/input.h"
 #include "cli/usage_error.h"
+#include "edit/lesson_run.h"
 #include "level/level_library.h"
 #include "panels/actions.h"
 #include "panels/lesson_text.h"

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "cli/report.h"
-#include "edit/level_files.h"
+#include "edit/session.h"
 
 namespace anamorph {
 namespace {

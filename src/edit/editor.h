@@ -14,7 +14,7 @@
 #include "edit/display_settings.h"
 #include "edit/edit_job.h"
 #include "edit/gizmo.h"
-#include "edit/lesson_run.h"
+#include "edit/lesson_state.h"
 #include "edit/live_updater.h"
 #include "edit/morph_stage.h"
 #include "edit/pick.h"
@@ -85,10 +85,6 @@ void openNewLevel(Editor& editor);
 /// Looks at the session's level as at one that has just been opened.
 void lookAfresh(Editor& editor);
 
-/// Goes on by `seconds`: flights, the rays' animation, the studio. Returns whether anything changed that is
-/// shown.
-bool advance(Editor& editor, double seconds);
-
 /// Whether something moves by itself, so that the next frame should come soon.
 bool isMoving(const Editor& editor);
 
@@ -96,6 +92,9 @@ bool isMoving(const Editor& editor);
 void flyTo(Editor& editor, const ViewPose& pose);
 /// The view is turned or shifted by hand: no flight, no looking through any more.
 void takeOverView(Editor& editor);
+
+/// The view through the RT camera.
+ViewPose rtCameraPose(const Editor& editor);
 
 /// To the RT camera's place, and back to where it began.
 void toggleLookThrough(Editor& editor);

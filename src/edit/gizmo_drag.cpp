@@ -72,7 +72,6 @@ Level GizmoDrag::levelAt(const Pixel& pixel, const DragKeys& keys) {
 }
 
 // ---- What the mouse says
-// --------------------------------------------------------------------------------------------
 
 std::optional<Vector> GizmoDrag::measure(const Pixel& pixel) {
   if (pixel == start_.pixel && start_.mode != GizmoMode::rotate) return Vector(0);
@@ -180,7 +179,6 @@ std::optional<Pixel> GizmoDrag::edgeOnTangent(const Direction& axis) const {
 }
 
 // ---- What becomes of the level
-// --------------------------------------------------------------------------------------
 
 // Of a plane: its normal. In the plane of the picture: towards the viewer.
 Direction GizmoDrag::handleAxis() const {

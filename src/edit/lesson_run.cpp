@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/editor.h"
 #include "level/lesson.h"
 
 namespace anamorph {
 namespace {
 
 constexpr double turnedDegrees = 10;
-constexpr int requiredPoints = 10, optionalPoints = 5;
 
 LessonFacts factsOf(const Editor& editor) {
   return {editor.session.level(),     editor.pose,    editor.point, editor.cell,
@@ -178,28 +176,6 @@ void nextStep(Editor& editor) {
 
 void previousStep(Editor& editor) {
   if (editor.lesson.step > 0) openStep(editor, editor.lesson.step - 1);
-}
-
-LessonScore scoreOf(const Lesson& lesson, const LessonProgress& progress) {
-  LessonScore score;
-  score.steps = lesson.steps.size();
-  score.badge = !lesson.steps.empty() && !lesson.badge.title.empty();
-  for (const LessonStep& step : lesson.steps) {
-    const int points = step.optional ? optionalPoints : requiredPoints;
-    score.of += points;
-    if (isDone(lesson, step, progress)) {
-      ++score.done;
-      score.points += points;
-    } else if (!step.optional) {
-      score.badge = false;
-    }
-  }
-  return score;
-}
-
-bool isDone(const Lesson& lesson, const LessonStep& step, const LessonProgress& progress) {
-  const auto found = progress.find(lesson.id);
-  return found != progress.end() && found->second.count(step.id) > 0;
 }
 
 }  // namespace anamorph

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/language.h"
 #include "level/json.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
@@ -50,17 +49,6 @@ Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
       !mesh || mesh->path.empty() || (from.empty() == to.empty() && folderOf(from) == folderOf(to));
   if (!stays) mesh->path = meshNameFor(modelPath(*mesh, from), to);
   return level;
-}
-
-std::string windowTitle(const Session& session) {
-  const fs::path& path = session.path();
-  std::string title = tr(session.level().text->title);
-  if (!path.empty() && !session.isInstalled()) {
-    const std::string file = path.filename().string();
-    title = title.empty() ? file : title + " (" + file + ")";
-  }
-  if (title.empty()) title = tr("Untitled");
-  return title + (session.modified() ? " * - Anamorph" : " - Anamorph");
 }
 
 std::string levelAsText(const Level& level, const fs::path& path) {

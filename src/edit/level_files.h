@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "edit/session.h"
+#include "level/level.h"
 
 namespace anamorph {
 
@@ -23,9 +23,6 @@ std::string meshNameFor(const std::filesystem::path& mesh, const std::filesystem
 /// The level of the file `from` as it has to be in the file `to`, to find the same mesh. Nothing changes
 /// within a folder. Either path may be empty: a level without a file.
 Level withMeshFrom(Level level, const std::filesystem::path& from, const std::filesystem::path& to);
-
-/// What the window is called: the level's title, the name of one's own file, and * when it is modified.
-std::string windowTitle(const Session& session);
 
 /// The level of the file `path` as one line of JSON that means the same everywhere on this machine.
 std::string levelAsText(const Level& level, const std::filesystem::path& path);

@@ -1,8 +1,8 @@
 // The construction as an animation: every vertex of the sculpture on its way along its vertex ray, from the
 // original's point P straight to the mirror point Q and on along the reflected ray to S (method section 2).
 //
-//      P t = 0           The way |PQ| + |QS| is gone evenly, so all vertices start and arrive together.
-//       \                .
+//      P t = 0
+//       \                The way |PQ| + |QS| is gone evenly, so all vertices start and arrive together.
 //     ---Q------ mirror
 //       /
 //      S t = 1

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/language.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
 
@@ -132,6 +133,17 @@ void Session::redo() {
 
 void Session::reset() {
   edit(saved_);
+}
+
+std::string windowTitle(const Session& session) {
+  const std::filesystem::path& path = session.path();
+  std::string title = tr(session.level().text->title);
+  if (!path.empty() && !session.isInstalled()) {
+    const std::string file = path.filename().string();
+    title = title.empty() ? file : title + " (" + file + ")";
+  }
+  if (title.empty()) title = tr("Untitled");
+  return title + (session.modified() ? " * - Anamorph" : " - Anamorph");
 }
 
 }  // namespace anamorph

@@ -92,4 +92,7 @@ class Session {
   std::vector<Level> undo_, redo_;
 };
 
+/// What the window is called: the level's title, the name of one's own file, and * when it is modified.
+std::string windowTitle(const Session& session);
+
 }  // namespace anamorph

@@ -121,7 +121,7 @@ class Drawing {
 
  private:
   std::string surface() const { return tr(plan_.hasMirror ? "mirror" : "canvas"); }
-  // A canvas is only thought of.
+  // A canvas does not stand on the table: dashed.
   Pen surfacePen() const { return plan_.hasMirror ? outlinePen : Pen{0.3, ink::blue, {1.5, 1}}; }
 
   Point2 at(const Point2& p) const { return at(p.x, p.y); }

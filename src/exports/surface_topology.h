@@ -3,9 +3,9 @@
 //
 //        sound            border          three or more        turned around        pinched
 //       /|\              /|              /|\                  /|\                  \ | /
-//      / v ^\           / |             / |-\-               / v v\                 \|/   two fans that have
-//      \ | | /          \ |             \ |/ /               \ | | /                /|\   a corner in common
-//       \|/              \|              \|/                  \|/                  / | \.
+//      / v ^\           / |             / |-\-               / v v\                 \|/
+//      \ | | /          \ |             \ |/ /               \ | | /                /|\   two fans that have
+//       \|/              \|              \|/                  \|/                  / | \  a corner in common
 #pragma once
 
 #include <cstddef>

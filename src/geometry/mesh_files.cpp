@@ -59,10 +59,6 @@ void writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string 
 
 }  // namespace
 
-std::string MeshLimits::tooManyTriangles() const {
-  return fmt::format("expected at most {} triangles; --max-vertices raises the limit", maxTriangles());
-}
-
 bool isMeshFile(const std::filesystem::path& path) {
   return findFormat(path).has_value();
 }

@@ -4,26 +4,14 @@
 // stl_ and ply_reader.h and _writer.h.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "geometry/mesh.h"
+#include "geometry/mesh_limits.h"
 
 namespace anamorph {
-
-/// Checked before memory is taken. The defaults are far above what the program can show.
-struct MeshLimits {
-  std::size_t maxBytes = std::size_t{2} << 30;
-  std::size_t maxVertices = 50'000'000;
-
-  /// A closed surface has twice as many triangles as vertices.
-  std::size_t maxTriangles() const { return 2 * maxVertices; }
-
-  /// The message of the Error.
-  std::string tooManyTriangles() const;
-};
 
 /// Reads positions and faces; polygons are triangulated (concave ones too), negative indices resolved,
 /// texture coordinates, normals and materials skipped. Vertices keep the file's order, unused ones included;

@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/mesh_files.h"
+#include "geometry/mesh.h"
+#include "geometry/mesh_limits.h"
 
 namespace anamorph {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "geometry/mesh_files.h"
+#include "geometry/mesh_limits.h"
 
 namespace anamorph {
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "edit/lesson_run.h"
 #include "edit/orbit.h"
 #include "panels/dialog.h"
 #include "panels/export_entries.h"

@@ -1,8 +1,8 @@
 // The panels by keys alone. F6 puts the keyboard into the next panel or open window, and after the last one
 // back into the 3D view:
 //
-//     3D view --F6--> levels --F6--> lesson --F6--> properties --F6--> preview --F6--> open windows --F6-->
-//     3D view
+//     3D view --> levels --> lesson --> properties --> preview --> open windows --.
+//        ^-----------------------------------------------------------------------'
 //
 // There the arrows go from control to control, Enter types into a number, Space presses a button or begins to
 // change a number with the arrows. Esc or a click goes back to the 3D view, whose keys then work again.

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "base/language.h"
+#include "edit/lesson_run.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"

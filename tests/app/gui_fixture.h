@@ -1,4 +1,4 @@
-// A GUI without a window for the tests of src/app. Machines without OpenGL 3.3 skip them.
+// A GUI without a window for the tests of src/app. Machines without OpenGL 3.3 cannot run them.
 #pragma once
 
 #include <memory>
@@ -8,6 +8,7 @@
 
 #include "app/headless_gui.h"
 #include "base/error.h"
+#include "cannot_run_here.h"
 #include "gl/gl_error.h"
 
 namespace anamorph::testing {
@@ -35,7 +36,7 @@ class GuiTest : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string problem;
-    if (!sharedHeadlessContext(problem)) GTEST_SKIP() << problem;
+    if (!sharedHeadlessContext(problem)) return cannotRunHere(problem);
     takeGlErrors();
     Preferences preferences;
     preferences.uiScale = 1;

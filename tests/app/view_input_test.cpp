@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/advance.h"
 #include "panels/style.h"
 #include "viewport/ray_lines.h"
 

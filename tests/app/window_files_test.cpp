@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "level/level_json.h"
-#include "virtual_window.h"
+#include "window_fixture.h"
 
 namespace anamorph::testing {
 namespace {
@@ -25,20 +25,16 @@ Level smallLevel() {
   return level;
 }
 
-class RealWindowFiles : public ::testing::Test {
+class RealWindowFiles : public WindowTest {
  protected:
   void SetUp() override {
-    for (const char* program : {"Xvfb", "xdotool"}) {
-      if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed";
-    }
+    WindowTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
     fs::create_directories(home("works"));
     saveLevel(home("works/mine.json"), smallLevel());
     Level other = smallLevel();
     other.text.edit([&](LevelText& text) { text.title = "Other"; });
     saveLevel(home("works/other.json"), other);
-  }
-  void TearDown() override {
-    if (window && HasFailure()) ADD_FAILURE() << "stderr: " << window->errorText();
   }
 
   std::string home(const std::string& name) const { return folder / name; }
@@ -47,13 +43,9 @@ class RealWindowFiles : public ::testing::Test {
     window.reset();
     more.insert(more.begin(), level);
     more.insert(more.end(), {"--size", "1000x700", "--ui-scale", "1"});
-    try {
-      window = std::make_unique<VirtualWindow>(more, Environment{{"HOME", home("")},
-                                                                 {"XDG_STATE_HOME", home("state")},
-                                                                 {"XDG_CONFIG_HOME", home("config")}});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    window = std::make_unique<VirtualWindow>(more, Environment{{"HOME", home("")},
+                                                               {"XDG_STATE_HOME", home("state")},
+                                                               {"XDG_CONFIG_HOME", home("config")}});
     ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("complete"); })) << window->errorText();
     window->move(5, 690);
   }
@@ -108,7 +100,6 @@ class RealWindowFiles : public ::testing::Test {
   }
 
   TemporaryFolder folder;
-  std::unique_ptr<VirtualWindow> window;
 };
 
 TEST_F(RealWindowFiles, ALevelIsOpenedChangedSavedAndUndone) {

@@ -7,39 +7,26 @@
 
 #include <gtest/gtest.h>
 
-#include "virtual_window.h"
+#include "window_fixture.h"
 
 namespace anamorph::testing {
 namespace {
 
-class RealWindowLessons : public ::testing::Test {
+class RealWindowLessons : public WindowTest {
  protected:
-  void SetUp() override {
-    for (const char* program : {"Xvfb", "xdotool"}) {
-      if (!isInstalled(program)) GTEST_SKIP() << program << " is not installed";
-    }
-  }
-  void TearDown() override {
-    if (window && HasFailure()) ADD_FAILURE() << "stderr: " << window->errorText();
-  }
   void start(std::vector<std::string> arguments) {
     window.reset();
     arguments.insert(arguments.end(), {"--size", "1000x700", "--ui-scale", "1"});
-    try {
-      window =
-          std::make_unique<VirtualWindow>(arguments, Environment{{"HOME", folder / ""},
-                                                                 {"XDG_STATE_HOME", folder / "state"},
-                                                                 {"XDG_CONFIG_HOME", folder / "config"}});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    window =
+        std::make_unique<VirtualWindow>(arguments, Environment{{"HOME", folder / ""},
+                                                               {"XDG_STATE_HOME", folder / "state"},
+                                                               {"XDG_CONFIG_HOME", folder / "config"}});
     ASSERT_TRUE(wait([](const State& s) { return s.is("complete"); })) << window->errorText();
     window->move(500, 690);
   }
   bool wait(const std::function<bool(const State&)>& wanted) { return window->waitFor(wanted, 40); }
 
   TemporaryFolder folder;
-  std::unique_ptr<VirtualWindow> window;
 };
 
 TEST_F(RealWindowLessons, AStepIsShownDoneAndStillDoneAfterARestart) {

@@ -1,8 +1,9 @@
-// The progress bar, on a terminal of its own (util-linux' `script` gives one); skipped where there is none.
+// The progress bar, on a terminal of its own (util-linux' `script` gives one); without one it cannot run.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cannot_run_here.h"
 #include "program.h"
 
 namespace anamorph {
@@ -13,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(ProgressBar, ShowsOnATerminalForWhatTakesLongAndGoesAway) {
-  if (std::system("script -qec true /dev/null >/dev/null 2>&1") != 0) GTEST_SKIP() << "no pseudo-terminal";
+  if (std::system("script -qec true /dev/null >/dev/null 2>&1") != 0) return cannotRunHere("no pseudo-terminal");
   const TemporaryFolder folder;
   const std::string render = std::string(ANAMORPH_PROGRAM) +
                              " render 2-cylinder --size 450x450 --samples 4 --threads 1 -o " +

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "edit/advance.h"
 #include "edit/morph.h"
 #include "edit/orbit.h"
 #include "optics/camera.h"

@@ -1,4 +1,4 @@
-// A level in a file of its own, and workspaces that come to rest, for tests of lessons.
+// A level in a file of its own, and editors that come to rest, for tests of lessons.
 #pragma once
 
 #include <unistd.h>
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "edit/advance.h"
 #include "edit/editor.h"
 #include "level/level_json.h"
 

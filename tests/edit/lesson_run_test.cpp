@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/advance.h"
 #include "edit/editor.h"
 #include "edit/level_edits.h"
 #include "lesson_levels.h"

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/advance.h"
 #include "edit/editor.h"
 #include "edit/lesson_run.h"
 #include "level/level_json.h"

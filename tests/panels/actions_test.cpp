@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "edit/advance.h"
 #include "edit/orbit.h"
 #include "level/level_library.h"
 #include "random_scene.h"

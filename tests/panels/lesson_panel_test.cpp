@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/lesson_run.h"
 #include "panels/lesson_text.h"
 #include "panels/widgets.h"
 #include "panels_fixture.h"

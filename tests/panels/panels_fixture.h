@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "edit/advance.h"
 #include "panels/actions.h"
 #include "panels/panels.h"
 #include "panels/style.h"

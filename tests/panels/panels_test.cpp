@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "edit/advance.h"
 #include "panels/widgets.h"
 #include "panels_fixture.h"
 

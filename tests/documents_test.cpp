@@ -1,0 +1,80 @@
+// Whether docs/architecture.md and README.md are true where they name files.
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "source_text.h"
+
+namespace anamorph {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+// The names in `...` of a page that are files of this project, with what has to be in them: `file: anchor`.
+struct Mention {
+  std::string file, anchor;
+};
+
+std::vector<Mention> mentionsIn(const std::string& page) {
+  std::vector<Mention> mentions;
+  const std::string text = textOf(sourceFolder / page);
+  const std::regex pattern(
+      "`((?:src|shaders|tests|docs|assets|levels|third_party)/[^`:\\n]*|README\\.md|\\w+\\.(?:h|cpp))"
+      "(?:: ([^`\\n]+))?`");
+  for (std::sregex_iterator each(text.begin(), text.end(), pattern), end; each != end; ++each) {
+    mentions.push_back({(*each)[1], (*each)[2]});
+  }
+  return mentions;
+}
+
+// The files of the shapes, without ending: what NAME stands for.
+Names shapeFiles() {
+  Names names;
+  const std::string table = textOf(sourceFolder / "src/optics/shape_table.cpp");
+  const std::regex include(R"(#include "optics/(\w+)\.h")");
+  for (std::sregex_iterator each(table.begin(), table.end(), include), end; each != end; ++each) {
+    names.insert((*each)[1]);
+  }
+  names.erase("shape_table");
+  return names;
+}
+
+// A path, or a mere name of a file somewhere in src/.
+bool isThere(const std::string& file) {
+  if (file.find('.') != std::string::npos && file.find('/') == std::string::npos && file != "README.md") {
+    const fs::recursive_directory_iterator entries(sourceFolder / "src");
+    return std::any_of(begin(entries), end(entries),
+                       [&](const auto& entry) { return entry.path().filename() == file; });
+  }
+  return fs::exists(sourceFolder / file);
+}
+
+TEST(Documents, NameFilesThatExistAndSayWhatIsSaid) {
+  for (const std::string page : {"docs/architecture.md", "README.md"}) {
+    const std::vector<Mention> mentions = mentionsIn(page);
+    EXPECT_GT(mentions.size(), 15u) << page;
+    for (const auto& [file, anchor] : mentions) {
+      const std::size_t placeholder = file.find("NAME");
+      const Names names = placeholder == std::string::npos ? Names{""} : shapeFiles();
+      EXPECT_FALSE(names.empty()) << page << ": " << file;
+      for (const std::string& name : names) {
+        std::string path = file;
+        if (!name.empty()) path.replace(placeholder, 4, name);
+        EXPECT_TRUE(isThere(path)) << page << " names " << path;
+        if (anchor.empty() || !fs::exists(sourceFolder / path)) continue;
+        EXPECT_NE(textOf(sourceFolder / path).find(anchor), std::string::npos)
+            << page << ": \"" << anchor << "\" is not in " << path;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace anamorph
