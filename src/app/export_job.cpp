@@ -6,7 +6,7 @@
 
 #include "base/language.h"
 #include "base/parallel_for.h"
-#include "exports/export_request.h"
+#include "exports/export_level.h"
 
 namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {

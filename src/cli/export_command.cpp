@@ -13,6 +13,7 @@
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
+#include "exports/export_level.h"
 
 namespace anamorph {
 namespace {

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "exports/export_request.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 

@@ -1,7 +1,5 @@
-// Take it home: one function that makes any of the files a level gives, for the command line and the window
-// alike. Which there are is in export_formats.h.
-//
-// Always of the finished, refined level. A file is replaced atomically; cancelled, nothing is written.
+// What is asked of an export, and what came of it: plain data. The kinds there are stand in export_formats.h, the file
+// is made by export_level.h.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "exports/arrangement.h"
-#include "exports/print_check.h"
-#include "exports/viewing_sheet.h"
+#include "exports/base_plate.h"
+#include "exports/page.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 
@@ -35,17 +33,5 @@ struct ExportSummary {
   std::string description;            ///< "6146 vertices, 12288 triangles, 78.1 x 22.0 x 13.3 mm"
   std::vector<std::string> warnings;  ///< whole sentences
 };
-
-/// Makes the file of a level that has a sculpture. Throws Error. Nothing, and no file, when cancelled.
-std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,
-                                         int threads = 1, const Progress& progress = {});
-
-/// checkPrint for the sculpture as it would be printed, without a base plate: that is sound by itself, and
-/// overlaps the sculpture on purpose. Nothing when cancelled.
-std::optional<PrintCheck> checkSculpture(const FinishedLevel& finished, double millimetresPerUnit,
-                                         int threads = 1, const Progress& progress = {});
-
-/// How many vertices of the original are not in the sculpture, for findPrintProblems.
-std::size_t countNotMapped(const FinishedLevel& finished);
 
 }  // namespace anamorph

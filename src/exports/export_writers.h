@@ -4,7 +4,9 @@
 
 #include <optional>
 
+#include "base/progress.h"
 #include "exports/export_request.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 

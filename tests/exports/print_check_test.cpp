@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "exports/export_request.h"
+#include "exports/export_level.h"
 #include "exports/printable.h"
 #include "exports/triangle_crossing.h"
 #include "finished.h"

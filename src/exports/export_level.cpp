@@ -1,4 +1,4 @@
-#include "exports/export_request.h"
+#include "exports/export_level.h"
 
 #include <numeric>
 #include <string>
