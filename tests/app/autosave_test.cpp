@@ -306,7 +306,7 @@ TEST(RecentFiles, AreKeptTogetherWithThoseOfOtherWindows) {
   const TemporaryFolder folder;
   UiState ui, other, third;
   ui.recentLevels = {"/a/1.json", "/a/2.json"};
-  ui.recentFolders = {"/a"};
+  ui.browser.recentFolders = {"/a"};
   saveRecent(folder / "state", ui);
   other.recentLevels = {"/b/3.json", "/a/2.json"};
   saveRecent(folder / "state", other);

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels_fixture.h"
 
@@ -32,7 +32,7 @@ class Browser : public PanelsTest {
   }
 
   void browse(FilePurpose purpose, const std::string& start = "") {
-    browseFiles(ui, purpose, start.empty() ? folder_ / "" : start);
+    browseFiles(ui.browser, purpose, start.empty() ? folder_ / "" : start);
     frames(3);
   }
   void type(const std::string& text) {
@@ -94,8 +94,8 @@ TEST_F(Browser, IsUsedByKeysAlone) {
   EXPECT_EQ(selected(), "level-2.json");
   key(keys::enter);
   EXPECT_FALSE(isDialogOpen(ui));
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), std::nullopt) << "it was not for this";
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::openLevel), fs::path(at("level-2.json")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), std::nullopt) << "it was not for this";
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::openLevel), fs::path(at("level-2.json")));
 }
 
 TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
@@ -105,10 +105,10 @@ TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
   type("picture");
   key(keys::enter);
   EXPECT_FALSE(ui.browser.open);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::openMesh), std::nullopt);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), fs::path(at("picture.png")));
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), std::nullopt);
-  EXPECT_EQ(ui.recentFolders.front(), fs::path(at("")).parent_path());
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::openMesh), std::nullopt);
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), fs::path(at("picture.png")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), std::nullopt);
+  EXPECT_EQ(ui.browser.recentFolders.front(), fs::path(at("")).parent_path());
 }
 
 TEST_F(Browser, TypingFilters) {
@@ -159,13 +159,13 @@ TEST_F(Browser, TypedPathsLeadThere) {
 }
 
 TEST_F(Browser, LosesNoLetterOfAQuickTypist) {
-  browseFiles(ui, FilePurpose::openLevel, folder_ / "");
+  browseFiles(ui.browser, FilePurpose::openLevel, folder_ / "");
   type("works/mi");
   EXPECT_EQ(ui.browser.folder, at("works"));
   EXPECT_EQ(ui.browser.text, "mi");
   type("ne");
   EXPECT_EQ(ui.browser.text, "mine");
-  browseFiles(ui, FilePurpose::saveImage, at("proposal.png"));
+  browseFiles(ui.browser, FilePurpose::saveImage, at("proposal.png"));
   type("other");
   EXPECT_EQ(ui.browser.text, "other");
 }
@@ -200,7 +200,7 @@ TEST_F(Browser, AsksBeforeItReplaces) {
   key(keys::enter);
   key(keys::enter);
   EXPECT_FALSE(ui.browser.open);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), fs::path(at("old.png")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), fs::path(at("old.png")));
 }
 
 TEST_F(Browser, WhileItAsksNothingElseCanBeChosen) {
@@ -234,11 +234,11 @@ TEST_F(Browser, ProposesNameAndEnding) {
   type("other");  // the proposed name is selected: typing replaces it
   EXPECT_EQ(ui.browser.text, "other");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveMesh), fs::path(at("works/other.stl")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveMesh), fs::path(at("works/other.stl")));
   browse(FilePurpose::saveMesh, at("works/sculpture.stl"));
   type("other.ply");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveMesh), fs::path(at("works/other.ply")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveMesh), fs::path(at("works/other.ply")));
 }
 
 TEST_F(Browser, ASelectedFilesNameCanBeSavedTo) {
