@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "panels/highlight.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -199,18 +200,21 @@ void drawImageFrame(const Ink& ink, const Editor& editor, const Rect& rect) {
 void drawViewOverlay(Editor& editor, UiState& ui) {
   const Rect& rect = ui.layout.view;
   if (rect.empty()) return;
+  const HighlightScope highlight(ui.highlight);
   ImGui::Begin("view");
   const Ink ink(editor, ui);
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
   if (const auto construction = currentConstruction(editor)) drawConstruction(ink, *construction);
-  drawGizmo(ink, emphasised(currentGizmo(editor, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
+  drawGizmo(ink,
+            emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
   drawProblem(editor, ui);
+  if (!ui.bare) drawViewProblem(ui);
   if (ui.preferences.legend && editor.rays.show && !ui.bare) drawLegend(editor, ui);
 }
 

@@ -10,9 +10,9 @@
 
 #include "app/shot.h"
 #include "cli/program.h"
-#include "desk_fixture.h"
 #include "geometry/mesh_files.h"
 #include "gl/texture.h"
+#include "gui_fixture.h"
 #include "panels/actions.h"
 
 namespace anamorph {

@@ -18,7 +18,7 @@
 #include "base/language.h"
 #include "edit/replacements.h"
 #include "level/json.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels/export_entries.h"
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
@@ -276,7 +276,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   own.title = own.description = "«its author's words»";  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
-    openTab(editor, ui, static_cast<PropertyTab>(tab));
+    openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab));
     if (tab == static_cast<int>(PropertyTab::sculpture)) editor.point = PickedPoint{};
     look("tab " + std::to_string(tab));
   }
@@ -291,7 +291,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
     level.optic.shape = mirrorOfKind(kind, level.optic.shape, level.camera.eye);
     editor.session.edit(std::move(level));
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::mirror);
+    openTab(ui.tabs, editor.selection, PropertyTab::mirror);
     look("mirror " + std::to_string(kind));
   }
 }
@@ -310,20 +310,20 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
         level.optic.shape);
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::eye);
+    openTab(ui.tabs, editor.selection, PropertyTab::eye);
     look(std::string(name) + ", the eye in the mirror");
     EXPECT_TRUE(hasSeen("There is no sculpture"));
     level = before;
     level.original.placement.position += Vector(0, 0, 40);
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::original);
+    openTab(ui.tabs, editor.selection, PropertyTab::original);
     look(std::string(name) + ", the original far away");
     level = before;
     level.original.placement.scale *= 2.5;
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::sculpture);
+    openTab(ui.tabs, editor.selection, PropertyTab::sculpture);
     look(std::string(name) + ", the original too large");
   }
 }
@@ -348,11 +348,11 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   ui.render.running = true;
   look("rendering");
   ui.render.open = false;
-  ui.progressOpen = true;
+  ui.progress.open = true;
   look("progress");
-  ui.progressOpen = false;
-  for (ui.tourCard = 0; ui.tourCard < 5; ++ui.tourCard) look("tour " + std::to_string(ui.tourCard));
-  ui.tourCard = -1;
+  ui.progress.open = false;
+  for (ui.tour.card = 0; ui.tour.card < 5; ++ui.tour.card) look("tour " + std::to_string(ui.tour.card));
+  ui.tour.card = -1;
   ui.presenting = true;
   look("presenting");
 }
@@ -364,7 +364,7 @@ TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   for (const ExportEntry& entry : exportEntries()) purposes.push_back(entry.purpose);
   for (const FilePurpose& purpose : purposes) {
     ui.browser.root = folder;
-    browseFiles(ui, purpose, folder / "file.json");
+    browseFiles(ui.browser, purpose, folder / "file.json");
     frames(2);
     look(std::string("browser: ") + purpose.title);
   }
@@ -374,7 +374,7 @@ TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   look("unsaved");
   ui.unsaved.reset();
   frames(2);
-  ui.recoveries = {RecoveryEntry{}};
+  ui.recovery.entries = {RecoveryEntry{}};
   look("recovery");
 }
 

@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include "panels/actions.h"
+#include "panels/key_input.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -35,7 +36,7 @@ class PanelsTest : public ::testing::Test {
   ~PanelsTest() override { ImGui::DestroyContext(context_); }
 
   void setLook(Theme theme, double scale) {
-    ui.preferences.theme = theme;
+    ui.theme = ui.preferences.theme = theme;
     ui.scale = scale;
     applyStyle(theme, scale);
   }
