@@ -7,6 +7,7 @@
 
 #include "math/frame.h"
 #include "optics/optic.h"
+#include "shapes.h"
 
 namespace anamorph::testing {
 
@@ -48,17 +49,17 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
   if (kind == ShapeKind::plane) {
     const double w = random.uniform(3, 8), h = random.uniform(3, 8);
     const Vector x = w * frame.right, y = h * frame.up;
-    scene.optic.shape = PlaneMirror{{centre - x - y, centre + x - y, centre + x + y, centre - x + y}};
+    scene.optic.shape() = PlaneMirror{{centre - x - y, centre + x - y, centre + x + y, centre - x + y}};
     scene.onMirror = centre + random.uniform(-0.9, 0.9) * x + random.uniform(-0.9, 0.9) * y;
     scene.normal = n;
   } else if (kind == ShapeKind::cylinder) {
     const double radius = random.uniform(0.5, 4), height = random.uniform(4, 12);
-    scene.optic.shape = CylinderMirror{centre, centre + height * frame.up, radius};
+    scene.optic.shape() = CylinderMirror{centre, centre + height * frame.up, radius};
     scene.onMirror = centre + random.uniform(0.1, 0.9) * height * frame.up + radius * n;
     scene.normal = n;
   } else {
     const double radius = random.uniform(0.5, 4);
-    scene.optic.shape = SphereMirror{centre, radius};
+    scene.optic.shape() = SphereMirror{centre, radius};
     scene.onMirror = centre + radius * n;
     scene.normal = n;
   }

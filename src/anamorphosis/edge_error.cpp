@@ -32,15 +32,15 @@ double gapPixels(const EdgeJudge& judge, const Point& middle, const Point& mappe
   // A step to each side, so that the map's curvature cancels. Half a pixel is small against anything seen.
   const auto derivative = [&](const Vector& side, Vector& result) {
     const Vector step = 0.5 * pixel * side;
-    const MappedPoint plus = mapPoint(judge.optic, eye, middle + step, judge.depthScale);
-    const MappedPoint minus = mapPoint(judge.optic, eye, middle - step, judge.depthScale);
+    const MappedPoint plus = mapPoint(judge.map, middle + step);
+    const MappedPoint minus = mapPoint(judge.map, middle - step);
     result = plus.point - minus.point;
     return plus.status == PathStatus::mapped && minus.status == PathStatus::mapped;
   };
   glm::dmat3 jacobian;
   if (!derivative(frame.right, jacobian[0]) || !derivative(frame.up, jacobian[1]))
     return 0;  // at the very border
-  const OpticPath path = followRay(judge.optic, {eye, middle - eye});
+  const OpticPath path = followRay(judge.map.optic, {eye, middle - eye});
   jacobian[2] = path.exit.direction;
   const double determinant = glm::determinant(jacobian);
   if (!(std::abs(determinant) > 0)) return unknownError;
@@ -58,7 +58,7 @@ double edgeErrorPixels(const EdgeJudge& judge, const EdgeEnd& a, const EdgeEnd& 
   int mappedSamples = 0, samples = 0;
   const auto sample = [&](double fraction) {
     const Point middle = glm::mix(a.original, b.original, fraction);
-    const MappedPoint mapped = mapPoint(judge.optic, judge.projection.eye(), middle, judge.depthScale);
+    const MappedPoint mapped = mapPoint(judge.map, middle);
     ++samples;
     if (mapped.status != PathStatus::mapped) return;
     ++mappedSamples;

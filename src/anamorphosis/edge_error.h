@@ -10,15 +10,14 @@
 // dS/dx, dS/dy are finite differences of the exact map, so any optic will do (method section 5, fact F8).
 #pragma once
 
-#include "anamorphosis/vertex_ray.h"
+#include "anamorphosis/vertex_map.h"
 #include "optics/camera.h"
 
 namespace anamorph {
 
 struct EdgeJudge {
-  const Optic& optic;
+  const VertexMap& map;
   const Projection& projection;
-  double depthScale;
 };
 
 struct EdgeEnd {

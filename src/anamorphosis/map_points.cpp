@@ -3,31 +3,33 @@
 #include <algorithm>
 #include <cstring>
 
-#include "anamorphosis/vertex_ray.h"
 #include "base/parallel_for.h"
-#include "optics/exit_points.h"
 
 namespace anamorph {
 namespace {
 
-void mapRange(const Optic& optic, const Point& eye, const PointArray& in, double depthScale,
-              const Mistakes& mistakes, MappedPoints& out, std::size_t begin, std::size_t end) {
+void mapRange(const VertexMap& map, const PointArray& in, MappedPoints& out, std::size_t begin,
+              std::size_t end) {
   std::array<std::int64_t, exitBlockSize> plain;
   for (std::size_t first = begin; first < end; first += exitBlockSize) {
     const std::size_t count = std::min(exitBlockSize, end - first);
     std::size_t plainCount = 0;
-    if (mistakes.any()) {
+    if (map.mistakes.any()) {
       plain.fill(0);  // the batch knows the right formulas only
     } else {
-      plainCount =
-          exitPoints(optic, eye, depthScale, {&in.x[first], &in.y[first], &in.z[first]}, count,
-                     {&out.points.x[first], &out.points.y[first], &out.points.z[first]}, plain.data());
+      plainCount = exitPoints(map.optic,
+                              {map.eye,
+                               map.depthScale,
+                               {&in.x[first], &in.y[first], &in.z[first]},
+                               count,
+                               {&out.points.x[first], &out.points.y[first], &out.points.z[first]},
+                               plain.data()});
     }
     std::memset(&out.status[first], static_cast<int>(PathStatus::mapped), count);
     if (plainCount == count) continue;
     for (std::size_t i = 0; i < count; ++i) {
       if (plain[i]) continue;
-      const MappedPoint mapped = mapPoint(optic, eye, in[first + i], depthScale, mistakes);
+      const MappedPoint mapped = mapPoint(map, in[first + i]);
       out.points.set(first + i, mapped.point);
       out.status[first + i] = mapped.status;
     }
@@ -36,13 +38,12 @@ void mapRange(const Optic& optic, const Point& eye, const PointArray& in, double
 
 }  // namespace
 
-void mapPointsThrough(const Optic& optic, const Point& eye, const PointArray& original, double depthScale,
-                      MappedPoints& result, int threads, const Mistakes& mistakes) {
+void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPoints& result, int threads) {
   result.points.resize(original.size());
   result.status.resize(original.size());
   constexpr std::size_t grain = 64 * exitBlockSize;
   parallelFor(original.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    mapRange(optic, eye, original, depthScale, mistakes, result, begin, end);
+    mapRange(map, original, result, begin, end);
   });
 }
 

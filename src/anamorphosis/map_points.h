@@ -6,9 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "anamorphosis/vertex_map.h"
 #include "geometry/mesh.h"
-#include "optics/mistakes.h"
-#include "optics/optic.h"
 
 namespace anamorph {
 
@@ -22,8 +21,7 @@ struct MappedPoints {
 
 /// mapPoint for every vertex, in order; identical to it for every thread count. `result` is reused: no memory
 /// is taken when it has the right size already.
-void mapPointsThrough(const Optic& optic, const Point& eye, const PointArray& original, double depthScale,
-                      MappedPoints& result, int threads = 1, const Mistakes& mistakes = {});
+void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPoints& result, int threads = 1);
 
 StatusCounts countStatus(const std::vector<PathStatus>& status);
 

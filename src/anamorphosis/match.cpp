@@ -45,16 +45,10 @@ class Matcher {
     BvhHit first;
     const bool seesOriginal = input_.originalBvh->closestHit(ray, first);
 
-    const OpticPath path = followRay(input_.optic, ray);
-    const bool hitsMirror = path.pointCount > 0;
-    const bool direct = input_.optic.kind == OpticKind::none;
-    const bool hidden = !direct && hitsMirror && sculptureStandsInTheWay(path);
+    const LineOfSight sight = lineOfSight(input_.optic, ray);
+    const bool hidden = sculptureStandsInTheWay(sight);
     std::optional<ReflectedHit> reflected;
-    if (direct) {
-      reflected = sculptureAlong(ray);
-    } else if (hitsMirror && !hidden) {
-      reflected = sculptureAlong(path.exit, freeLength(input_.optic, path));
-    }
+    if (!sight.ends && !hidden) reflected = sculptureAlong(sight.last, sight.length);
 
     PixelResult result;
     if (seesOriginal && reflected) {
@@ -66,7 +60,7 @@ class Matcher {
       result.sameTriangle =
           touch(input_.original->positions, triangles[first.triangle], triangles[reflected->sourceTriangle]);
     } else if (seesOriginal) {
-      result.kind = !hitsMirror ? PixelClass::missed : hidden ? PixelClass::hidden : PixelClass::onlyOriginal;
+      result.kind = !sight.meets ? PixelClass::missed : hidden ? PixelClass::hidden : PixelClass::onlyOriginal;
     } else if (reflected) {
       result.kind = PixelClass::onlyReflection;
     }
@@ -77,17 +71,17 @@ class Matcher {
   double worstError() const { return std::max(projection_.width(), projection_.height()); }
 
   // Between the eye and the last point on the optic.
-  bool sculptureStandsInTheWay(const OpticPath& path) const {
+  bool sculptureStandsInTheWay(const LineOfSight& sight) const {
     Point from = projection_.eye();
-    for (int i = 0; i < path.pointCount; ++i) {
-      if (input_.sculptureBvh->anyHit({from, path.points[i] - from}, 0, 1)) return true;
-      from = path.points[i];
+    for (int i = 0; i < sight.bendCount; ++i) {
+      const Point& to = sight.bends[static_cast<std::size_t>(i)];
+      if (input_.sculptureBvh->anyHit({from, to - from}, 0, 1)) return true;
+      from = to;
     }
     return false;
   }
 
-  std::optional<ReflectedHit> sculptureAlong(const Ray& ray,
-                                             double length = std::numeric_limits<double>::infinity()) const {
+  std::optional<ReflectedHit> sculptureAlong(const Ray& ray, double length) const {
     BvhHit hit;
     if (!input_.sculptureBvh->closestHit(ray, hit, 0, length)) return std::nullopt;
     const Sculpture& s = *input_.sculpture;

@@ -44,8 +44,7 @@ class Refiner {
         state_.source[welded.triangles[t][i]] = {t, corners_[t][i].u, corners_[t][i].v};
       }
     }
-    mapPointsThrough(input.optic, input.camera.eye, state_.original, input.depthScale, state_.mapped,
-                     threads);
+    mapPointsThrough(input.map, state_.original, state_.mapped, threads);
     active_ = state_.sourceTriangle;
   }
 
@@ -66,9 +65,7 @@ class Refiner {
     return {state_.original[vertex], state_.mapped.points[vertex], state_.mapped.status[vertex]};
   }
   bool mapped(std::uint32_t vertex) const { return state_.mapped.status[vertex] == PathStatus::mapped; }
-  MappedPoint map(const Point& p) const {
-    return mapPoint(input_.optic, projection_.eye(), p, input_.depthScale);
-  }
+  MappedPoint map(const Point& p) const { return mapPoint(input_.map, p); }
 
   // Of the edges that come into the sculpture.
   double largestError() const {
@@ -85,7 +82,7 @@ class Refiner {
 
   std::vector<double> judge(const EdgeTable& edges) const {
     std::vector<double> errors(edges.ends.size());
-    const EdgeJudge judge{input_.optic, projection_, input_.depthScale};
+    const EdgeJudge judge{input_.map, projection_};
     parallelFor(errors.size(), 256, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         errors[i] = edgeErrorPixels(judge, end(edges.ends[i][0]), end(edges.ends[i][1]));

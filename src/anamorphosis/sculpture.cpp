@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "anamorphosis/handedness.h"
 #include "anamorphosis/refine.h"
 
 namespace anamorph {
@@ -23,14 +24,14 @@ bool allMapped(const Triangle& t, const std::vector<PathStatus>& status) {
 Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   const Mesh& mesh = *input.original;
   MappedPoints mapped;
-  mapPointsThrough(input.optic, input.camera.eye, mesh.positions, input.depthScale, mapped, threads,
-                   input.mistakes);
+  mapPointsThrough(input.map, mesh.positions, mapped, threads);
   Sculpture sculpture;
   sculpture.mesh.positions = std::move(mapped.points);
   sculpture.status = std::move(mapped.status);
   sculpture.original = mesh.positions;
   sculpture.source.resize(mesh.positions.size());
-  const bool reversed = reversesHandedness(input.optic);
+  const bool reversed =
+      reversesHandedness(input.map, mesh.positions, mesh.triangles, sculpture.status);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     sculpture.source[triangle[0]] = {t, 0, 0};
@@ -43,7 +44,9 @@ Sculpture mapOwnVertices(const DeformInput& input, int threads) {
 }
 
 // Keeps the triangles that are mapped whole, and the vertices that they use.
-Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, bool reversed) {
+Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const VertexMap& map) {
+  const bool reversed =
+      reversesHandedness(map, refinement.original, refinement.triangles, refinement.mapped.status);
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   Sculpture sculpture;
   std::vector<std::uint32_t> newIndex(refinement.original.size(), unused);
@@ -73,24 +76,22 @@ Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, bool r
 }  // namespace
 
 Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& progress) {
-  if (!(input.tolerancePixels > 0) || input.mistakes.any()) return mapOwnVertices(input, threads);
+  if (!(input.tolerancePixels > 0) || input.map.mistakes.any()) return mapOwnVertices(input, threads);
   const WeldedMesh welded = weldPositions(*input.original);
   const Refinement refinement = refine(welded.mesh, input, threads, progress);
   if (progress.cancelled()) return {};
-  Sculpture sculpture = collect(refinement, welded, reversesHandedness(input.optic));
+  Sculpture sculpture = collect(refinement, welded, input.map);
   MappedPoints own;
-  mapPointsThrough(input.optic, input.camera.eye, input.original->positions, input.depthScale, own, threads);
+  mapPointsThrough(input.map, input.original->positions, own, threads);
   sculpture.originalStatus = countStatus(own.status);
   return sculpture;
 }
 
-void remapSculpture(const Optic& optic, const Point& eye, double depthScale, const PointArray& original,
-                    Sculpture& sculpture, int threads, const Mistakes& mistakes) {
+void remapSculpture(const VertexMap& map, Sculpture& sculpture, int threads) {
   MappedPoints mapped{std::move(sculpture.mesh.positions), std::move(sculpture.status)};
-  mapPointsThrough(optic, eye, original, depthScale, mapped, threads, mistakes);
+  mapPointsThrough(map, sculpture.original, mapped, threads);
   sculpture.mesh.positions = std::move(mapped.points);
   sculpture.status = std::move(mapped.status);
-  sculpture.original = original;
 }
 
 }  // namespace anamorph

@@ -18,13 +18,11 @@ namespace anamorph {
 
 struct DeformInput {
   std::shared_ptr<const Mesh> original;  ///< in scene coordinates
-  Optic optic;
-  Camera camera;                       ///< the eye; its image is what the tolerance is measured in
+  VertexMap map;                       ///< with mistakes the original's own vertices are used
+  Camera camera;                       ///< at the map's eye; its image is what the tolerance is measured in
   int imageSize = 512;                 ///< height of that image in pixels
-  double depthScale = 1;               ///< k
   double tolerancePixels = 0.25;       ///< 0: the original's own vertices
   std::size_t maxTriangles = 2000000;  ///< refinement stops there
-  Mistakes mistakes;                   ///< with any the original's own vertices are used
 
   bool operator==(const DeformInput&) const = default;
 };
@@ -52,10 +50,8 @@ struct Sculpture {
 /// left out. A cancelled run returns an empty sculpture.
 Sculpture makeSculpture(const DeformInput& input, int threads = 1, const Progress& progress = {});
 
-/// The sculpture of a drag: the same triangles and sources, all points mapped anew through a changed optic,
-/// eye or depth scale, the original's points given for every vertex. Triangles stay, so corners that are not
-/// mapped any more are left at their original's place with their status telling so.
-void remapSculpture(const Optic& optic, const Point& eye, double depthScale, const PointArray& original,
-                    Sculpture& sculpture, int threads = 1, const Mistakes& mistakes = {});
+/// The sculpture of a drag: the same triangles and sources, all of sculpture.original mapped anew. Triangles stay,
+/// so corners that are not mapped any more are left at their original's place with their status telling so.
+void remapSculpture(const VertexMap& map, Sculpture& sculpture, int threads = 1);
 
 }  // namespace anamorph

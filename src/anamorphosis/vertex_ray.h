@@ -8,34 +8,35 @@
 //         E   S
 #pragma once
 
-#include "optics/mistakes.h"
-#include "optics/optic.h"
+#include <vector>
+
+#include "anamorphosis/vertex_map.h"
 
 namespace anamorph {
 
+/// A leg of a vertex ray: from where it meets the optic on to the next meeting, or to the end.
+struct VertexLeg {
+  Point start{0};           ///< Q
+  Direction normal{0};      ///< N there, towards the incoming ray
+  Direction direction{0};   ///< R, unit
+  double angleInDegrees = 0, angleOutDegrees = 0;  ///< of both rays with the normal
+};
+
 struct VertexRay {
-  Point eye{0};            ///< E
-  Point original{0};       ///< P
-  Point mirror{0};         ///< Q, undefined when status is missesMirror
-  Direction normal{0};     ///< N at Q, towards the eye
-  Direction reflected{0};  ///< R, unit
-  Point sculpture{0};      ///< S, undefined unless mapped
+  Point eye{0};                 ///< E
+  Point original{0};            ///< P
+  std::vector<VertexLeg> legs;  ///< after the one from the eye, in order; empty: it misses
+  bool bends = false;           ///< whether the optic changes its direction
+  Point sculpture{0};           ///< S, undefined unless mapped
   PathStatus status = PathStatus::missesMirror;
-  double distance = 0;      ///< |P - Q|; S is depthScale times as far from Q
-  double angleDegrees = 0;  ///< of incidence, equal to that of reflection
+  double distance = 0;  ///< |P - Q| for the last Q; S is depthScale times as far from it
+
+  bool meets() const { return !legs.empty(); }
+  bool mapped() const { return status == PathStatus::mapped; }
 };
 
-/// The vertex ray of `original` with everything that a student is shown of it.
-/// With mistakes: what the published formulas make of it.
-VertexRay makeVertexRay(const Optic& optic, const Point& eye, const Point& original, double depthScale,
-                        const Mistakes& mistakes = {});
-
-/// Only where the vertex goes, and what became of it. Not mapped: the original point itself.
-struct MappedPoint {
-  Point point;
-  PathStatus status;
-};
-MappedPoint mapPoint(const Optic& optic, const Point& eye, const Point& original, double depthScale,
-                     const Mistakes& mistakes = {});
+/// The vertex ray of `original` with everything that a student is shown of it. With mistakes: what the published
+/// formulas make of it.
+VertexRay makeVertexRay(const VertexMap& map, const Point& original);
 
 }  // namespace anamorph

@@ -99,7 +99,7 @@ void read(Rescued& rescued) {
   if (!(time >= 0 && time <= latest)) throw Error("expected a time, got another number", name, "/time");
   rescued.entry.time = timeText(static_cast<std::time_t>(time));
   rescued.level = parseLevel(formatJson(member(json, "level", JsonValue::Kind::object, name)), name).level;
-  rescued.entry.title = rescued.level.title.empty() ? tr("Untitled") : tr(rescued.level.title);
+  rescued.entry.title = rescued.level.text->title.empty() ? tr("Untitled") : tr(rescued.level.text->title);
 }
 
 fs::path lockOf(fs::path file) {

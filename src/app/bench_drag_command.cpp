@@ -142,7 +142,7 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
   headless.gui().open(level);
   headless.settle();
-  const Products& products = headless.gui().editor().updater.products();
+  const LevelResult& products = headless.gui().editor().updater.result();
   if (products.problem) throw Error(*products.problem, level.string());
   const std::size_t vertices = products.sculpture.sculpture->mesh.positions.size();
   const std::size_t triangles = products.sculpture.sculpture->mesh.triangles.size();

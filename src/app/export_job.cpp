@@ -11,7 +11,7 @@
 namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
-  const Products& products = editor.updater.products();
+  const LevelResult& result = editor.updater.result();
   if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
   if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
@@ -20,12 +20,12 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     worker_.cancel();
     dialog.say(tr("Cancelling..."));
   }
-  if (waiting_ && products.problem) {
+  if (waiting_ && result.problem) {
     waiting_.reset();
-    dialog.say(tr("There is no sculpture to export."), {*products.problem});
+    dialog.say(tr("There is no sculpture to export."), {*result.problem});
   }
-  if (waiting_ && !products.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled
-  if (waiting_ && products.complete) start(*std::exchange(waiting_, std::nullopt), products, dialog);
+  if (waiting_ && !result.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled
+  if (waiting_ && result.complete) start(*std::exchange(waiting_, std::nullopt), result, dialog);
   const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
   if (auto outcome = outcomes_->take()) {
     dialog.say(std::move(outcome->message), std::move(outcome->lines), std::move(outcome->rows));
@@ -45,8 +45,11 @@ void ExportJob::update(Editor& editor, UiState& ui) {
   dialog.fraction = waiting_ ? 0 : worker_.fraction();
 }
 
-void ExportJob::start(Task task, const Products& products, const ExportDialog& dialog) {
-  const FinishedLevel finished{products.level, products.original, products.sculpture};
+void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {
+  LevelResult finished;
+  finished.level = result.level;
+  finished.original = result.original;
+  finished.sculpture = result.sculpture;
   worker_.request([task, finished, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
     const int threads = hardwareThreads();
     Outcome outcome;

@@ -31,7 +31,7 @@ class ExportJob {
   };
   enum class Task { write, check };
 
-  void start(Task task, const Products& products, const ExportDialog& dialog);
+  void start(Task task, const LevelResult& result, const ExportDialog& dialog);
 
   std::optional<Task> waiting_;
   bool cancelled_ = false;  // and what became of it is not known yet

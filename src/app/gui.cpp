@@ -144,7 +144,7 @@ void Gui::refreshStyle() {
 }
 
 void Gui::refreshTextures() {
-  const Previews& previews = editor_->updater.products().previews;
+  const Previews& previews = editor_->updater.result().previews;
   const bool smooth = editor_->preview.size > 0;
   reflection_.show(previews.reflection, smooth);
   original_.show(previews.original, smooth);
@@ -203,7 +203,7 @@ void Gui::frame(double seconds, const ViewQuality* forced) {
     editor_->animationSeconds = length;
     editor_->animationPaused = true;
   }
-  renderJob_->update(editor_->updater.products(), ui_);
+  renderJob_->update(editor_->updater.result(), ui_);
   exportJob_->update(*editor_, ui_);
   drawView(seconds, forced);
   refreshTextures();

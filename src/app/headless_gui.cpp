@@ -83,7 +83,7 @@ void HeadlessGui::settle() {
     // Until the level is computed, nobody sees the pictures on the way.
     const ViewQuality draft{0.1, 1, 1};
     const LiveUpdater& updater = gui_->editor().updater;
-    const bool computed = updater.products().complete && !updater.busy() && !isMoving(gui_->editor());
+    const bool computed = updater.result().complete && !updater.busy() && !isMoving(gui_->editor());
     frame(1.0 / 60, computed ? &best : &draft);
     const bool done = computed && !gui_->unfinished();
     calm = done ? calm + 1 : 0;

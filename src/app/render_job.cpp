@@ -11,9 +11,9 @@
 
 namespace anamorph {
 
-bool RenderJob::update(const Products& products, UiState& ui) {
+bool RenderJob::update(const LevelResult& result, UiState& ui) {
   RenderDialog& dialog = ui.render;
-  if (std::exchange(ui.requests.startRender, false) && products.original.mesh) start(products, dialog);
+  if (std::exchange(ui.requests.startRender, false) && result.original.mesh) start(result, dialog);
   if (std::exchange(ui.requests.cancelRender, false)) {
     worker_.cancel();
     dialog.message = tr("Cancelled.");
@@ -42,14 +42,14 @@ bool RenderJob::update(const Products& products, UiState& ui) {
 }
 
 // Refined for the picture's own size first, as `anamorph render` does.
-void RenderJob::start(const Products& products, const RenderDialog& dialog) {
-  Level level = products.level;
-  const auto [width, height] = pictureSize(level.camera, dialog.longerSide);
+void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
+  Level level = result.level;
+  const auto [width, height] = pictureSize(level.grid, dialog.longerSide);
   level.sculpture.imageSize = std::max(level.sculpture.imageSize, height);
   level.tracing.samplesPerAxis = dialog.samplesPerAxis;
   const ImageRequest request = makeImageRequest(level, width, height, 0);
   worker_.request(
-      [level, request, mesh = products.original.mesh, results = results_](const Progress& progress) {
+      [level, request, mesh = result.original.mesh, results = results_](const Progress& progress) {
         const auto finished = finishLevel(level, mesh, 0, {{}, progress.token});
         if (!finished) return;
         auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);

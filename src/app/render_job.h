@@ -18,13 +18,13 @@ class RenderJob {
 
   /// Starts, cancels and saves as the dialog asks, and tells it how far things are. Returns whether what the
   /// dialog shows has changed.
-  bool update(const Products& products, UiState& ui);
+  bool update(const LevelResult& result, UiState& ui);
 
   /// The last finished picture; null before the first.
   const std::shared_ptr<const Image>& image() const { return image_; }
 
  private:
-  void start(const Products& products, const RenderDialog& dialog);
+  void start(const LevelResult& result, const RenderDialog& dialog);
   void save(const std::string& file);
 
   std::shared_ptr<const Image> image_;

@@ -37,19 +37,19 @@ struct ScreenshotOptions {
 };
 
 // "X,Y" to a cell of the pixel grid.
-GridCell parseCell(const std::string& text, const Camera& camera) {
+GridCell parseCell(const std::string& text, const PixelGrid& grid) {
   GridCell cell;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d,%d%c", &cell.column, &cell.row, &rest) != 2 || cell.column < 0 ||
-      cell.row < 0 || cell.column >= camera.gridColumns || cell.row >= camera.gridRows) {
+      cell.row < 0 || cell.column >= grid.columns || cell.row >= grid.rows) {
     throw UsageError(fmt::format("--pixel: expected COLUMN,ROW within the pixel grid of {} x {}, got {}",
-                                 camera.gridColumns, camera.gridRows, text));
+                                 grid.columns, grid.rows, text));
   }
   return cell;
 }
 
 void pickVertex(Editor& editor, std::uint32_t vertex) {
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   if (!products.original.mesh) return;
   const Mesh& mesh = *products.original.mesh;
   editor.point = pickedVertex(mesh, vertex);
@@ -68,7 +68,7 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
   if (!options.select.empty()) editor.selection = {parts.at(options.select), 0};
   const auto tab = std::find(previewTabs.begin(), previewTabs.end(), options.tab);
   if (tab != previewTabs.end()) editor.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
-  if (!options.pixel.empty()) editor.cell = parseCell(options.pixel, editor.session.level().camera);
+  if (!options.pixel.empty()) editor.cell = parseCell(options.pixel, editor.session.level().grid);
   editor.display.morph = options.morph;
   ui.panelsHidden = options.noPanels;
   if (options.lookThrough) toggleLookThrough(editor);
@@ -108,7 +108,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
     pickVertex(gui.editor(), *options.vertex);
     headless.settle();
   }
-  if (const auto& problem = gui.editor().updater.products().problem) sayMessage(common, *problem);
+  if (const auto& problem = gui.editor().updater.result().problem) sayMessage(common, *problem);
   Bitmap bitmap = headless.readBack();
   if (options.transparent) divideByAlpha(bitmap);
   savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap));

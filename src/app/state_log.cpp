@@ -47,7 +47,7 @@ std::string stateLine(Gui& gui, std::size_t frame) {
   const Editor& editor = gui.editor();
   const UiState& ui = gui.ui();
   const Level& level = editor.session.level();
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   const double iou =
       products.match ? products.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
   const ImVec2 size = ImGui::GetIO().DisplaySize;

@@ -19,18 +19,18 @@ void append(std::vector<Line>& lines, std::vector<Line> more) {
 
 std::optional<std::size_t> treeOf(const Editor& editor) {
   if (!editor.cell) return std::nullopt;
-  const Camera& camera = editor.updater.products().level.camera;
-  return static_cast<std::size_t>(editor.cell->row) * camera.gridColumns + editor.cell->column;
+  const int columns = editor.updater.result().level.grid.columns;
+  return static_cast<std::size_t>(editor.cell->row) * columns + editor.cell->column;
 }
 
 // Which rays are shown: those of one pixel when one is picked, else as the settings say.
 enum class Shown { none, trees, vertices };
 
 Shown shownRays(const Editor& editor) {
-  const Products& products = editor.updater.products();
-  if (!editor.rays.show || products.problem || !products.original.mesh) return Shown::none;
+  const LevelResult& result = editor.updater.result();
+  if (!editor.rays.show || result.problem || !result.original.mesh) return Shown::none;
   if (editor.cell || editor.rays.source == RaySource::pixels)
-    return products.trees ? Shown::trees : Shown::none;
+    return result.trees ? Shown::trees : Shown::none;
   return editor.point ? Shown::none : Shown::vertices;  // the picked vertex has its construction
 }
 
@@ -45,22 +45,22 @@ double playTime(const Editor& editor) {
 
 std::vector<Line> makeLines(const Editor& editor, const UiState& ui) {
   std::vector<Line> lines;
-  const Products& products = editor.updater.products();
-  const Level& level = products.level;
+  const LevelResult& result = editor.updater.result();
+  const Level& level = result.level;
   if (editor.display.rtCamera) {
     const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
-    append(lines, makeCameraLines(level.camera, selected, editor.cell ? editor.cell : ui.hoveredCell,
-                                  editor.pose.eye));
+    append(lines, makeCameraLines(level.camera, level.grid, selected,
+                                  editor.cell ? editor.cell : ui.hoveredCell, editor.pose.eye));
   }
   // From the eye the canvas would lie over what is seen in it.
   if (!editor.lookingThrough)
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
   switch (shownRays(editor)) {
     case Shown::trees:
-      append(lines, makeTreeLines(*products.trees, editor.rays, treeOf(editor), playTime(editor)));
+      append(lines, makeTreeLines(*result.trees, editor.rays, treeOf(editor), playTime(editor)));
       break;
     case Shown::vertices:
-      append(lines, makeVertexRayLines(level, *products.original.mesh, editor.rays, playTime(editor)));
+      append(lines, makeVertexRayLines(level, *result.original.mesh, editor.rays, playTime(editor)));
       break;
     case Shown::none:
       break;
@@ -71,12 +71,12 @@ std::vector<Line> makeLines(const Editor& editor, const UiState& ui) {
 }
 
 double ViewInputMaker::animationSeconds(const Editor& editor) {
-  const Products& products = editor.updater.products();
+  const LevelResult& result = editor.updater.result();
   switch (shownRays(editor)) {
     case Shown::trees:
-      return treeAnimationSeconds(*products.trees, editor.rays, treeOf(editor));
+      return treeAnimationSeconds(*result.trees, editor.rays, treeOf(editor));
     case Shown::vertices:
-      return vertexRayAnimationSeconds(products.level, *products.original.mesh, editor.rays);
+      return vertexRayAnimationSeconds(result.level, *result.original.mesh, editor.rays);
     case Shown::none:
       break;
   }
@@ -89,12 +89,12 @@ void ViewInputMaker::stepRays(Editor& editor) {
   // Step by step makes sense one ray after the other only.
   if (!editor.rays.animate || !editor.rays.sequential) editor.animationSeconds = 0;
   editor.rays.animate = editor.rays.sequential = editor.animationPaused = true;
-  const Products& products = editor.updater.products();
+  const LevelResult& result = editor.updater.result();
   std::vector<double> stops{0};
   if (shownRays(editor) == Shown::trees)
-    stops = treeAnimationStops(*products.trees, editor.rays, treeOf(editor));
+    stops = treeAnimationStops(*result.trees, editor.rays, treeOf(editor));
   if (shownRays(editor) == Shown::vertices) {
-    stops = vertexRayAnimationStops(products.level, *products.original.mesh, editor.rays);
+    stops = vertexRayAnimationStops(result.level, *result.original.mesh, editor.rays);
   }
   constexpr double same = 1e-6;
   const double now = playTime(editor);
@@ -108,15 +108,15 @@ void ViewInputMaker::stepRays(Editor& editor) {
 }
 
 ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, bool transparent) {
-  const Products& products = editor.updater.products();
+  const LevelResult& result = editor.updater.result();
   std::vector<Line> lines = makeLines(editor, ui);
   if (!lines_ || *lines_ != lines) lines_ = std::make_shared<const std::vector<Line>>(std::move(lines));
   ViewportInput input;
   input.width = editor.viewWidth;
   input.height = editor.viewHeight;
   input.pose = editor.pose;
-  input.level = products.level;
-  input.original = products.original;
+  input.level = result.level;
+  input.original = result.original;
   input.sculpture = shownSculpture(editor);
   input.display = editor.display;
   if (!input.display.background) input.display.background = skyOf(ui.theme);
@@ -127,7 +127,7 @@ ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, bool trans
   }
   input.selection = editor.selection;
   input.lines = lines_;
-  input.screen = products.screen;
+  input.screen = result.screen;
   input.lineScale = ui.scale * (ui.theme == Theme::projector ? 1.6 : 1);
   input.transparent = transparent;
   if (transparent) input.display.lightMarkers = false;

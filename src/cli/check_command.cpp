@@ -7,7 +7,7 @@
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/original.h"
-#include "pipeline/picture.h"
+#include "pipeline/evaluator.h"
 
 namespace anamorph {
 namespace {
@@ -24,25 +24,24 @@ std::string checkMesh(const std::string& file, const CommonOptions& common) {
 
 std::string checkScene(const Level& level) {
   // The mesh is not known, but its place is: the problems of mirror and eye show with that point alone.
-  Mesh point;
-  point.positions.push_back(level.original.placement.position);
+  Box point;
+  point.extend(level.original.placement.position);
   if (auto problem = findProblem(level, point)) throw Error(*problem);
-  return fmt::format("thesis scene, {} mirror", shapeName(level.optic.shape));
+  return fmt::format("thesis scene, {} mirror", shapeName(level.optic.shape()));
 }
 
 std::string checkLevel(const std::string& path, const Level& level, const CommonOptions& common) {
   constexpr int matchSize = 256;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
-  if (auto problem = findProblem(level, *original)) throw Error(*problem);
-  const FinishedLevel finished = *finishLevel(level, original, common.threads);
+  const LevelResult finished = *finishLevel(level, original, common.threads);
+  if (finished.problem) throw Error(*finished.problem);
   const Sculpture& sculpture = *finished.sculpture.sculpture;
-  if (auto problem = findEmptiness(sculpture)) throw Error(*problem);
-  for (const std::string& warning : findWarnings(level, sculpture))
+  for (const std::string& warning : finished.warnings)
     sayMessage(common, "warning: " + path + ": " + warning);
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
-  return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.title,
-                     shapeName(level.optic.shape), surfaceName(level.optic), sculpture.originalStatus[0],
+  return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
+                     shapeName(level.optic.shape()), surfaceName(level.optic), sculpture.originalStatus[0],
                      original->positions.size(), matchGradeName(gradeOf(report)));
 }
 

@@ -11,7 +11,6 @@
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
-#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
@@ -45,21 +44,16 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common);
   if (options.imageSize) input.level.sculpture.imageSize = *options.imageSize;
   const double deformStart = secondsNow();
-  Sculpture sculpture;
-  {
-    const ProgressBar bar(common, "deforming");
-    sculpture = makeSculpture(makeDeformInput(input.level, input.original), common.threads, bar.progress());
-  }
-  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
+  const LevelResult finished = finishInput(input, common);
+  const Sculpture& sculpture = *finished.sculpture.sculpture;
   const double writeStart = secondsNow();
   MeshFileOptions file;
   file.scale = options.millimetresPerUnit;
   file.comment =
-      "sculpture for the " + std::string(shapeName(input.level.optic.shape)) + " mirror, made by Anamorph";
+      "sculpture for the " + std::string(shapeName(input.level.optic.shape())) + " mirror, made by Anamorph";
   saveMesh(options.output, sculpture.mesh, file);
   const double end = secondsNow();
 
-  sayWarnings(common, findWarnings(input.level, sculpture));
   const bool ownVertices = input.level.sculpture.tolerancePixels == 0;
   if (!common.json) {
     sayMessage(common, fmt::format("{}: {} vertices, {} triangles", options.output,

@@ -138,7 +138,7 @@ std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
 }
 
 // Writes the files; what was written, and what is to be known of it, as JSON.
-JsonValue writeFiles(const FinishedLevel& finished, const std::vector<ExportRequest>& requests,
+JsonValue writeFiles(const LevelResult& finished, const std::vector<ExportRequest>& requests,
                      const CommonOptions& common) {
   JsonValue files{JsonValue::Kind::array, {}, 0, {}, {}};
   for (const ExportRequest& request : requests) {
@@ -172,7 +172,7 @@ void printCheck(const PrintCheck& check, std::size_t notMapped) {
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   const std::vector<ExportRequest> requests = makeRequests(options);
   for (const ExportRequest& request : requests) checkOutput(request.path.string());
-  const FinishedLevel finished = finishInput(loadInput(options.input, common), common);
+  const LevelResult finished = finishInput(loadInput(options.input, common), common);
   JsonObject json;
   json.add("files", writeFiles(finished, requests, common));
   if (options.check || anyHas(requests, ExportOption::printCheck)) {

@@ -7,8 +7,8 @@
 #include "cli/usage_error.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
-#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
@@ -88,28 +88,28 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
   }
   applyOptions(options, input.level);
   if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();
-  if (auto problem = findProblem(input.level, *input.original)) throw Error(*problem, path);
+  const Box box = boundingBox(input.original->positions);
+  if (auto problem = findProblem(input.level, box)) throw Error(*problem, path);
   input.loadSeconds = secondsNow() - start;
   return input;
 }
 
-FinishedLevel finishInput(const Input& input, const CommonOptions& common) {
-  const FinishedLevel finished = [&] {
+LevelResult finishInput(const Input& input, const CommonOptions& common) {
+  const LevelResult finished = [&] {
     const ProgressBar bar(common, "deforming");
     return *finishLevel(input.level, input.original, common.threads, bar.progress());
   }();
-  const Sculpture& sculpture = *finished.sculpture.sculpture;
-  if (auto problem = findEmptiness(sculpture)) throw Error(*problem, input.name);
-  sayWarnings(common, findWarnings(input.level, sculpture));
+  if (finished.problem) throw Error(*finished.problem, input.name);
+  sayWarnings(common, finished.warnings);
   return finished;
 }
 
-Match matchInput(const FinishedLevel& finished, int width, int height, const CommonOptions& common) {
+Match matchInput(const LevelResult& finished, int width, int height, const CommonOptions& common) {
   const ProgressBar bar(common, "matching");
   return matchLevel(finished, width, height, common.threads, bar.progress());
 }
 
-Image drawInput(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+Image drawInput(const LevelResult& finished, PictureKind kind, const ImageRequest& request,
                 const Match* match, const CommonOptions& common) {
   const ProgressBar bar(common, "rendering");
   return *makePicture(finished, kind, request, match, bar.progress());

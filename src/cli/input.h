@@ -38,11 +38,11 @@ Input loadInput(const InputOptions& options, const CommonOptions& common);
 
 /// finishLevel, with an Error when nothing of the original comes into the sculpture, and with what is worth a
 /// warning.
-FinishedLevel finishInput(const Input& input, const CommonOptions& common);
+LevelResult finishInput(const Input& input, const CommonOptions& common);
 
 /// matchLevel and makePicture, with progress bars.
-Match matchInput(const FinishedLevel& finished, int width, int height, const CommonOptions& common);
-Image drawInput(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+Match matchInput(const LevelResult& finished, int width, int height, const CommonOptions& common);
+Image drawInput(const LevelResult& finished, PictureKind kind, const ImageRequest& request,
                 const Match* match, const CommonOptions& common);
 
 /// Throws Error when this file could not be written, before hours are spent on what is to be in it.

@@ -25,7 +25,7 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   InputOptions inputOptions;
   inputOptions.file = entry.path.string();
   const Input input = loadInput(inputOptions, common);
-  const FinishedLevel finished = finishInput(input, common);
+  const LevelResult finished = finishInput(input, common);
   const Mesh& sculpture = finished.sculpture.sculpture->mesh;
   const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const ImageRequest request = makeImageRequest(input.level, options.size, options.size, common.threads);

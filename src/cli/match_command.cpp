@@ -32,7 +32,7 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
 void match(const MatchOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common);
   input.level.sculpture.imageSize = options.size;
-  const FinishedLevel finished = finishInput(input, common);
+  const LevelResult finished = finishInput(input, common);
   const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   if (common.json) {

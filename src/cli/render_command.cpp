@@ -41,7 +41,8 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
   if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
   const PictureKind kind = kinds.at(options.view);
-  FinishedLevel finished{input.level, {}, {}};
+  LevelResult finished;
+  finished.level = input.level;
   Match match;
   if (kind == PictureKind::original) {
     finished.original = prepareMesh(input.original, common.threads);  // no sculpture is needed for it

@@ -51,82 +51,92 @@ double normalLength(double toEye, double reach) {
 }
 
 // How far a reflected ray goes that meets the mirror again.
-double freeWay(const Optic& optic, const VertexRay& ray, double wanted) {
+double freeWay(const VertexMap& map, const VertexRay& ray, double wanted) {
   const Vector towards = ray.original - ray.eye;
-  const double way = freeLength(optic, followRay(optic, {ray.eye, towards})) * glm::length(towards);
+  const double way = freeLength(map.optic, followRay(map.optic, {ray.eye, towards})) * glm::length(towards);
   return std::isfinite(way) ? std::min(way, wanted) : wanted;
 }
 
-double angleOut(const VertexRay& ray) {
-  return degrees(std::acos(std::clamp(glm::dot(ray.normal, ray.reflected), -1.0, 1.0)));
-}
-
 // False only where the published formulas are at work.
-bool anglesAreEqual(const VertexRay& ray) {
-  return std::abs(angleOut(ray) - ray.angleDegrees) < 0.05;
+bool anglesAreEqual(const VertexLeg& leg) {
+  return std::abs(leg.angleOutDegrees - leg.angleInDegrees) < 0.05;
 }
 
-void addReflection(Construction& made, const Optic& optic, double depthScale) {
+void addReflection(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
-  const bool mapped = ray.status == PathStatus::mapped;
-  const double reach = mapped ? depthScale * ray.distance : freeWay(optic, ray, depthScale * ray.distance);
-  const Point end = mapped ? ray.sculpture : ray.mirror + reach * ray.reflected;
-  made.segments.push_back({ray.mirror, ray.original, Kind::virtualRay});
-  made.segments.push_back({ray.mirror, end, Kind::reflected});
-  made.distances.push_back({0.5 * (ray.mirror + ray.original), fmt::format("d = {:.2f}", ray.distance)});
-  if (!mapped) return;
+  const VertexLeg& last = ray.legs.back();
+  const double depthScale = map.depthScale;
+  const double reach =
+      ray.mapped() ? depthScale * ray.distance : freeWay(map, ray, depthScale * ray.distance);
+  const Point end = ray.mapped() ? ray.sculpture : last.start + reach * last.direction;
+  made.segments.push_back({last.start, ray.original, Kind::virtualRay});
+  for (std::size_t i = 0; i < ray.legs.size(); ++i) {
+    const bool isLast = i + 1 == ray.legs.size();
+    made.segments.push_back({ray.legs[i].start, isLast ? end : ray.legs[i + 1].start, Kind::reflected});
+  }
+  made.distances.push_back({0.5 * (last.start + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  if (!ray.mapped()) return;
   made.points.push_back({ray.sculpture, "S"});
   made.distances.push_back(
-      {0.5 * (ray.mirror + end), fmt::format("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
+      {0.5 * (last.start + end), fmt::format("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
 }
 
-void addMirrorPoint(Construction& made, const Optic& optic, double depthScale) {
+// Q with N and both angles; `from` is where the ray came from.
+void addMirrorPoint(Construction& made, const VertexLeg& leg, const Point& from, double length) {
+  const Vector back = from - leg.start;
+  const double way = glm::length(back);
+  made.segments.push_back({leg.start, leg.start + length * leg.normal, Kind::normal});
+  made.points.push_back({leg.start, "Q"});
+  made.points.push_back({leg.start + length * leg.normal, "N"});
+  if (made.ray.status == PathStatus::inFrontOfMirror) return;  // the ray ends at P, before it is reflected
+  const std::string in = "α = " + angleText(leg.angleInDegrees);
+  const std::string out = anglesAreEqual(leg) ? in : "β = " + angleText(leg.angleOutDegrees);
+  if (way > 0) made.arcs.push_back(makeArc(leg.start, 0.6 * length, back / way, leg.normal, in));
+  made.arcs.push_back(makeArc(leg.start, 0.6 * length, leg.normal, leg.direction, out));
+}
+
+void addMirrorPoints(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
-  const Vector back = ray.eye - ray.mirror;
-  const double toEye = glm::length(back);
-  const double length = normalLength(toEye, depthScale * ray.distance);
-  made.segments.push_back({ray.eye, ray.mirror, Kind::incident});
-  made.segments.push_back({ray.mirror, ray.mirror + length * ray.normal, Kind::normal});
-  made.points.push_back({ray.mirror, "Q"});
-  made.points.push_back({ray.mirror + length * ray.normal, "N"});
-  if (ray.status == PathStatus::inFrontOfMirror) return;  // the ray ends at P, before it is reflected
-  const bool equal = anglesAreEqual(ray);
-  const std::string in = "α = " + angleText(ray.angleDegrees);
-  const std::string out = equal ? in : "β = " + angleText(angleOut(ray));
-  if (toEye > 0) made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, back / toEye, ray.normal, in));
-  made.arcs.push_back(makeArc(ray.mirror, 0.6 * length, ray.normal, ray.reflected, out));
-  addReflection(made, optic, depthScale);
+  const double toEye = glm::length(ray.eye - ray.legs.front().start);
+  const double length = normalLength(toEye, map.depthScale * ray.distance);
+  made.segments.push_back({ray.eye, ray.legs.front().start, Kind::incident});
+  Point from = ray.eye;
+  for (const VertexLeg& leg : ray.legs) {
+    addMirrorPoint(made, leg, from, length);
+    from = leg.start;
+  }
+  if (ray.status != PathStatus::inFrontOfMirror) addReflection(made, map);
 }
 
 // The one line of sight, as far as something lies on it.
 void addSight(Construction& made, double depthScale) {
   const VertexRay& ray = made.ray;
-  const bool mapped = ray.status == PathStatus::mapped;
+  const Point canvas = ray.legs.back().start;
   Point far = ray.original;
-  for (const Point& p : {ray.mirror, mapped ? ray.sculpture : ray.original}) {
+  for (const Point& p : {canvas, ray.mapped() ? ray.sculpture : ray.original}) {
     if (glm::length(p - ray.eye) > glm::length(far - ray.eye)) far = p;
   }
   made.segments.push_back({ray.eye, far, Kind::incident});
-  made.points.push_back({ray.mirror, "Q"});
-  made.distances.push_back({0.5 * (ray.mirror + ray.original), fmt::format("d = {:.2f}", ray.distance)});
-  if (!mapped) return;
+  made.points.push_back({canvas, "Q"});
+  made.distances.push_back({0.5 * (canvas + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  if (!ray.mapped()) return;
   made.points.push_back({ray.sculpture, "S"});
-  made.segments.push_back({ray.mirror, ray.sculpture, Kind::reflected});
+  made.segments.push_back({canvas, ray.sculpture, Kind::reflected});
   made.distances.push_back(
-      {0.5 * (ray.mirror + ray.sculpture), fmt::format("k·d = {:.2f}", depthScale * ray.distance)});
+      {0.5 * (canvas + ray.sculpture), fmt::format("k·d = {:.2f}", depthScale * ray.distance)});
 }
 
 void addSightRows(Construction& made, double depthScale) {
   const VertexRay& ray = made.ray;
   made.rows = {{"E  eye", pointText(ray.eye)},
                {"P  original vertex", pointText(ray.original)},
-               {"Q  on the canvas", pointText(ray.mirror)},
+               {"Q  on the canvas", pointText(ray.legs.back().start)},
                {"d = |PQ|", fmt::format("{:.3f}", ray.distance)},
                {"k  depth scale", fmt::format("{:.3f}", depthScale)}};
-  if (ray.status == PathStatus::mapped) made.rows.push_back({"S = Q + k (P - Q)", pointText(ray.sculpture)});
+  if (ray.mapped()) made.rows.push_back({"S = Q + k (P - Q)", pointText(ray.sculpture)});
 }
 
-void addRows(Construction& made, bool hitsMirror, double depthScale) {
+void addRows(Construction& made, double depthScale) {
   const VertexRay& ray = made.ray;
   const auto add = [&](const char* name, std::string value) {
     made.rows.push_back({name, std::move(value)});
@@ -134,58 +144,58 @@ void addRows(Construction& made, bool hitsMirror, double depthScale) {
   const auto addLength = [&](const char* name, double length) { add(name, fmt::format("{:.3f}", length)); };
   add("E  eye", pointText(ray.eye));
   add("P  original vertex", pointText(ray.original));
-  if (hitsMirror) {
-    add("Q  mirror point", pointText(ray.mirror));
-    add("N  normal at Q", directionText(ray.normal));
-  }
-  if (hitsMirror && ray.status != PathStatus::inFrontOfMirror) {
-    if (anglesAreEqual(ray)) {
-      add("α  both angles", angleText(ray.angleDegrees));
+  for (const VertexLeg& leg : ray.legs) {
+    add("Q  mirror point", pointText(leg.start));
+    add("N  normal at Q", directionText(leg.normal));
+    if (ray.status == PathStatus::inFrontOfMirror) continue;
+    if (anglesAreEqual(leg)) {
+      add("α  both angles", angleText(leg.angleInDegrees));
     } else {
-      add("α  angle in", angleText(ray.angleDegrees));
-      add("β  angle out", angleText(angleOut(ray)));
+      add("α  angle in", angleText(leg.angleInDegrees));
+      add("β  angle out", angleText(leg.angleOutDegrees));
     }
-    add("R  reflected", directionText(ray.reflected));
+    add("R  reflected", directionText(leg.direction));
+  }
+  if (ray.meets() && ray.status != PathStatus::inFrontOfMirror) {
     addLength("d = |PQ|", ray.distance);
     addLength("k  depth scale", depthScale);
   }
-  if (ray.status == PathStatus::mapped) {
+  if (ray.mapped()) {
     addLength("k·d = |QS|", depthScale * ray.distance);
     add("S = Q + k·d R", pointText(ray.sculpture));
   }
 }
 
+// What of the ray can be drawn.
+bool isDrawable(const VertexRay& ray) {
+  return ray.meets() && std::all_of(ray.legs.begin(), ray.legs.end(), [](const VertexLeg& leg) {
+           return lengthSquared(leg.normal) > 0.5 && isFinite(leg.start) && isFinite(leg.direction);
+         });
+}
+
 }  // namespace
 
-Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale,
-                              const Mistakes& mistakes) {
+Construction makeConstruction(const VertexMap& map, const Point& original) {
   Construction made;
-  made.ray = makeVertexRay(optic, eye, original, depthScale, mistakes);
-  const VertexRay& ray = made.ray;
-  const bool hitsMirror = lengthSquared(ray.normal) > 0.5 && isFinite(ray.mirror) && isFinite(ray.reflected);
-  made.points = {{eye, "E"}, {original, "P"}};
-  const bool passes = optic.kind == OpticKind::none;
-  if (hitsMirror && passes) {
-    addSight(made, depthScale);
-    addSightRows(made, depthScale);
+  made.ray = makeVertexRay(map, original);
+  if (!isDrawable(made.ray)) made.ray.legs.clear();
+  made.points = {{map.eye, "E"}, {original, "P"}};
+  if (made.ray.meets() && !made.ray.bends) {
+    addSight(made, map.depthScale);
+    addSightRows(made, map.depthScale);
   } else {
-    if (hitsMirror) {
-      addMirrorPoint(made, optic, depthScale);
+    if (made.ray.meets()) {
+      addMirrorPoints(made, map);
     } else {
-      made.segments.push_back({eye, original, Kind::incident});
+      made.segments.push_back({map.eye, original, Kind::incident});
     }
-    addRows(made, hitsMirror, depthScale);
+    addRows(made, map.depthScale);
   }
-  if (ray.status != PathStatus::mapped) {
-    made.explanation = explainStatus(ray.status) + std::string(".");
+  if (!made.ray.mapped()) {
+    made.explanation = explainStatus(made.ray.status) + std::string(".");
     made.explanation[0] = static_cast<char>(std::toupper(made.explanation[0]));
   }
   return made;
-}
-
-Construction makeConstruction(const Level& level, const Point& original) {
-  return makeConstruction(level.optic, level.camera.eye, original, level.sculpture.depthScale,
-                          level.sculpture.mistakes);
 }
 
 }  // namespace anamorph

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "anamorphosis/vertex_ray.h"
-#include "level/level.h"
 
 namespace anamorph {
 
@@ -55,9 +54,6 @@ struct Construction {
 };
 
 /// Everything finite, whatever became of the ray.
-Construction makeConstruction(const Optic& optic, const Point& eye, const Point& original, double depthScale,
-                              const Mistakes& mistakes = {});
-/// With the level's mirror, eye, depth scale and mistakes.
-Construction makeConstruction(const Level& level, const Point& original);
+Construction makeConstruction(const VertexMap& map, const Point& original);
 
 }  // namespace anamorph

@@ -14,7 +14,8 @@ namespace anamorph {
 namespace {
 
 ViewPose rtPose(const Editor& editor) {
-  return lookThroughPose(editor.session.level().camera, std::max(1, editor.viewWidth),
+  const Level& level = editor.session.level();
+  return lookThroughPose(level.camera, level.grid, std::max(1, editor.viewWidth),
                          std::max(1, editor.viewHeight));
 }
 
@@ -24,10 +25,10 @@ void dropStaleSelection(Editor& editor) {
   const int lights = static_cast<int>(level.lights.size());
   const Selection& selected = editor.selection;
   if (selected.part == Part::light && (selected.index < 0 || selected.index >= lights)) editor.selection = {};
-  const bool inGrid = editor.cell && editor.cell->column < level.camera.gridColumns &&
-                      editor.cell->row < level.camera.gridRows;
+  const bool inGrid = editor.cell && editor.cell->column < level.grid.columns &&
+                      editor.cell->row < level.grid.rows;
   if (!inGrid) editor.cell.reset();
-  const auto& original = editor.updater.products().original.mesh;
+  const auto& original = editor.updater.result().original.mesh;
   if (editor.point && original && !isOn(*original, *editor.point)) editor.point.reset();
 }
 
@@ -50,13 +51,8 @@ void extendBy(Box& box, const Box& other) {
   box.extend(other.max);
 }
 
-Box boxOf(const PreparedMesh& mesh) {
-  return mesh.mesh ? boundingBox(mesh.mesh->positions) : Box{};
-}
-
 Box mirrorBox(const Level& level) {
-  if (findShapeProblem(level.optic.shape)) return {};
-  return boundingBox(tessellate(level.optic.shape).positions);
+  return findShapeProblem(level.optic.shape()) ? Box{} : boxOf(level.optic.shape());
 }
 
 // Keeps what is to be found again when the session has gone from this level to another.
@@ -156,11 +152,11 @@ void toggleLookThrough(Editor& editor) {
 }
 
 Box originalBox(const Editor& editor) {
-  return boxOf(editor.updater.products().original);
+  return editor.updater.result().original.box;
 }
 
 Box sculptureBox(const Editor& editor) {
-  return boxOf(editor.updater.products().sculpture.prepared);
+  return editor.updater.result().sculpture.prepared.box;
 }
 
 Box boxOf(const Editor& editor, const Selection& selection) {
@@ -175,16 +171,16 @@ Box boxOf(const Editor& editor, const Selection& selection) {
 }
 
 std::optional<Construction> currentConstruction(const Editor& editor) {
-  const Products& products = editor.updater.products();
-  if (!editor.point || !products.original.mesh) return std::nullopt;
-  if (!isOn(*products.original.mesh, *editor.point)) return std::nullopt;
-  if (findShapeProblem(products.level.optic.shape)) return std::nullopt;
-  return makeConstruction(products.level, pointOn(*products.original.mesh, *editor.point));
+  const LevelResult& result = editor.updater.result();
+  if (!editor.point || !result.original.mesh) return std::nullopt;
+  if (!isOn(*result.original.mesh, *editor.point)) return std::nullopt;
+  if (findShapeProblem(result.level.optic.shape())) return std::nullopt;
+  return makeConstruction(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {
-  const Products& products = editor.updater.products();
-  return editor.morph.at(editor.display.morph, products.level, products.sculpture,
+  const LevelResult& result = editor.updater.result();
+  return editor.morph.at(editor.display.morph, result.level, result.sculpture,
                          std::min(hardwareThreads(), 4));
 }
 

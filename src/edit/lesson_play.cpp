@@ -40,7 +40,7 @@ Level levelAt(const StepMove& move, const Level& from, double fraction) {
   towards(level.sculpture.depthScale, move.depthScale);
   towards(level.camera.fovDegrees, move.fovDegrees);
   if (move.mirror) {
-    const Vector way = *move.mirror - middleOf(from.optic.shape);
+    const Vector way = *move.mirror - middleOf(from.optic.shape());
     level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
   }
   return level;
@@ -66,8 +66,8 @@ Level begun(const StepMove& move, const Editor& editor) {
     level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), originalBox(editor));
   }
   if (!move.mirrorKind.empty()) {
-    level.optic.shape =
-        mirrorOfKind(numberOf(mirrorShapes, move.mirrorKind), level.optic.shape, level.camera.eye);
+    level.optic.shape() =
+        mirrorOfKind(numberOf(shapeNames(), move.mirrorKind), level.optic.shape(), level.camera.eye);
   }
   if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
   if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments) {
@@ -99,9 +99,9 @@ void playView(Editor& editor, const StepMove& move) {
     editor.animationSeconds = 0;
   }
   if (move.wireframe) editor.display.wireframe = true;
-  if (move.vertex && editor.updater.products().original.mesh) {
+  if (move.vertex && editor.updater.result().original.mesh) {
     editor.point =
-        pickedVertex(*editor.updater.products().original.mesh, static_cast<std::uint32_t>(*move.vertex));
+        pickedVertex(*editor.updater.result().original.mesh, static_cast<std::uint32_t>(*move.vertex));
   }
   if (move.pixel) editor.cell = GridCell{(*move.pixel)[0], (*move.pixel)[1]};
   if (move.undo) editor.session.undo();

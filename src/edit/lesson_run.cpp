@@ -40,11 +40,11 @@ bool isRight(const Mistakes& mistakes, const std::string& which) {
 // A figure of the settled match against a limit; nothing while it is not known.
 template <typename Test>
 std::optional<bool> judged(const Editor& editor, const Test& test) {
-  const Products& products = editor.updater.products();
-  if (editor.session.changing() || !products.refined) return std::nullopt;
-  if (products.problem) return test(MatchReport{});
-  if (!products.match) return std::nullopt;
-  return test(products.match->report);
+  const LevelResult& result = editor.updater.result();
+  if (editor.session.changing() || !result.refined) return std::nullopt;
+  if (result.problem) return test(MatchReport{});
+  if (!result.match) return std::nullopt;
+  return test(result.match->report);
 }
 
 void beginStep(Editor& editor) {
@@ -69,8 +69,8 @@ void takeUpLesson(Editor& editor) {
   LessonRun& run = editor.lesson;
   run = {};
   run.generation = editor.session.generation();
-  run.text = editor.session.level().lesson;
-  run.lesson = parseLesson(editor.session.level().lesson, editor.session.path().string());
+  run.text = editor.session.level().text->lesson;
+  run.lesson = parseLesson(editor.session.level().text->lesson, editor.session.path().string());
   run.step = whereToGoOn(run.lesson, editor.progress);
   beginStep(editor);
 }
@@ -92,11 +92,11 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
     case StepEvent::movedOriginal:
       return rests && !(level.original.placement == begin.level.original.placement);
     case StepEvent::movedMirror:
-      return rests && !(level.optic.shape == begin.level.optic.shape);
+      return rests && !(level.optic.shape() == begin.level.optic.shape());
     case StepEvent::changedOriginal:
       return rests && !(level.original.shape == begin.level.original.shape);
     case StepEvent::changedMirror:
-      return rests && condition.what == shapeName(level.optic.shape);
+      return rests && condition.what == shapeName(level.optic.shape());
     case StepEvent::depthScaleChanged:
       return rests && level.sculpture.depthScale != begin.level.sculpture.depthScale;
     case StepEvent::toleranceOff:
@@ -144,7 +144,7 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
 
 bool advanceLesson(Editor& editor) {
   LessonRun& run = editor.lesson;
-  if (run.generation != editor.session.generation() || run.text != editor.session.level().lesson) {
+  if (run.generation != editor.session.generation() || run.text != editor.session.level().text->lesson) {
     takeUpLesson(editor);
     return true;
   }

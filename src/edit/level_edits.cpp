@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "level/limits.h"
 
@@ -11,9 +13,6 @@ namespace {
 constexpr double maxCoordinate = limits::coordinates.max;
 constexpr double minLength = limits::lengths.min, maxLength = limits::lengths.max;
 constexpr double minDepthScale = limits::depthScale.level.min, maxDepthScale = limits::depthScale.level.max;
-
-using Axes = std::array<Direction, 3>;
-const Axes sceneAxes = GizmoFrame{}.axes;
 
 bool isLight(const Level& level, const Selection& selection) {
   return selection.part == Part::light && selection.index >= 0 &&
@@ -36,82 +35,9 @@ bool areAxes(const Axes& axes) {
                      [](const Direction& d) { return std::abs(glm::length(d) - 1) < 1e-9; });
 }
 
-// ---- The mirror: its middle, axes and points
-// -----------------------------------------------------------------------
-
-// x along the first edge, y through the mirror, z up its side: the scene's axes for an upright mirror.
-Axes axesOf(const PlaneMirror& plane) {
-  const Direction y = -planeNormal(plane);
-  const Vector edge = plane.corners[1] - plane.corners[0];
-  const Direction x = glm::normalize(edge - glm::dot(edge, y) * y);
-  return {x, y, glm::cross(x, y)};
+ShapeMap mapOf(std::function<Point(const Point&)> point, const Vector& factors = Vector(1)) {
+  return {std::move(point), factors, minLength, maxLength};
 }
-
-// The scene's axes turned by the shortest way that brings z to the cylinder's axis.
-Axes axesOf(const CylinderMirror& cylinder) {
-  const Direction a = glm::normalize(cylinder.top - cylinder.bottom);
-  if (a.z < -1 + 1e-12) return {Direction(1, 0, 0), Direction(0, -1, 0), Direction(0, 0, -1)};
-  const double f = 1 / (1 + a.z);
-  const Direction x = glm::normalize(Vector(1 - f * a.x * a.x, -f * a.x * a.y, -a.x));
-  return {x, glm::cross(a, x), a};
-}
-Axes axesOf(const SphereMirror&) {
-  return sceneAxes;
-}
-
-template <typename Map>
-void mapMirror(PlaneMirror& plane, const Map& map) {
-  for (Point& corner : plane.corners) corner = clampedPoint(map(corner));
-}
-template <typename Map>
-void mapMirror(CylinderMirror& cylinder, const Map& map) {
-  cylinder.bottom = clampedPoint(map(cylinder.bottom));
-  cylinder.top = clampedPoint(map(cylinder.top));
-}
-template <typename Map>
-void mapMirror(SphereMirror& sphere, const Map& map) {
-  sphere.centre = clampedPoint(map(sphere.centre));
-}
-
-// Of two factors for one size, the one that is meant.
-double strongest(double a, double b) {
-  return std::abs(b - 1) > std::abs(a - 1) ? b : a;
-}
-
-double scaledLength(double length, double factor) {
-  return std::clamp(length * factor, minLength, maxLength);
-}
-
-void scaleSize(PlaneMirror&, const Vector&) {}
-void scaleSize(CylinderMirror& cylinder, const Vector& factors) {
-  cylinder.radius = scaledLength(cylinder.radius, strongest(factors.x, factors.y));
-}
-void scaleSize(SphereMirror& sphere, const Vector& factors) {
-  sphere.radius = scaledLength(sphere.radius, factors.x);
-}
-
-Box mirrorBox(const MirrorShape& shape) {
-  Box box;
-  const auto extend = [&](const Point& p, const Vector& r) {
-    box.extend(p - r);
-    box.extend(p + r);
-  };
-  if (const auto* plane = std::get_if<PlaneMirror>(&shape)) {
-    for (const Point& corner : plane->corners) box.extend(corner);
-  } else if (const auto* cylinder = std::get_if<CylinderMirror>(&shape)) {
-    const Vector a = axesOf(*cylinder)[2];
-    const Vector across = cylinder->radius * glm::sqrt(glm::max(1.0 - a * a, Vector(0)));
-    extend(cylinder->bottom, isFinite(across) ? across : Vector(cylinder->radius));
-    extend(cylinder->top, isFinite(across) ? across : Vector(cylinder->radius));
-  } else {
-    const auto& sphere = std::get<SphereMirror>(shape);
-    extend(sphere.centre, Vector(sphere.radius));
-  }
-  return box;
-}
-
-// ---- Any selection
-// --------------------------------------------------------------------------------------------------
 
 // x to the right of the image, y ahead, z up.
 Axes axesOf(const Camera& camera) {
@@ -122,9 +48,7 @@ Axes axesOf(const Camera& camera) {
 Axes ownAxes(const Level& level, const Selection& selection) {
   Axes axes = sceneAxes;
   if (selection.part == Part::eye || selection.part == Part::aim) axes = axesOf(level.camera);
-  if (selection.part == Part::mirror) {
-    axes = std::visit([](const auto& shape) { return axesOf(shape); }, level.optic.shape);
-  }
+  if (selection.part == Part::mirror) axes = axesOf(level.optic.shape());
   if (selection.part == Part::original) {
     const glm::dmat3 m = rotationMatrix(level.original.placement.rotationDegrees);
     axes = {m[0], m[1], m[2]};
@@ -152,7 +76,7 @@ Point originOf(const Level& level, const Selection& selection, const Box& origin
     case Part::original:
       return pivotOf(level.original.placement, originalBox);
     case Part::mirror:
-      return middleOf(level.optic.shape);
+      return middleOf(level.optic.shape());
     case Part::sculpture:
       return sculptureBox.centre();
     case Part::light:
@@ -179,7 +103,8 @@ void changePoints(Level& level, const Selection& selection, const Change& change
         change(p);
         return p;
       };
-      return std::visit([&](auto& shape) { mapMirror(shape, each); }, level.optic.shape);
+      level.optic.shape() = mapShape(level.optic.shape(), mapOf(each));
+      return;
     }
     case Part::light:
       return change(level.lights[static_cast<std::size_t>(selection.index)].position);
@@ -203,7 +128,7 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
     case Part::original:
       return true;
     case Part::mirror:
-      return mode != GizmoMode::rotate || !std::holds_alternative<SphereMirror>(level.optic.shape);
+      return mode != GizmoMode::rotate || !isRound(level.optic.shape());
     case Part::sculpture:
       return mode == GizmoMode::scale;
     case Part::light:
@@ -214,7 +139,7 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
 
 bool scalesUniformly(const Level& level, const Selection& selection) {
   return selection.part == Part::sculpture ||
-         (selection.part == Part::mirror && std::holds_alternative<SphereMirror>(level.optic.shape));
+         (selection.part == Part::mirror && isRound(level.optic.shape()));
 }
 
 std::optional<GizmoFrame> frameOf(const Level& level, const Selection& selection, GizmoMode mode, bool local,
@@ -231,7 +156,7 @@ std::optional<GizmoFrame> frameOf(const Level& level, const Selection& selection
 Box boxOf(const Level& level, const Selection& selection, const Box& originalBox, const Box& sculptureBox) {
   if (selection.part == Part::original) return originalBox;
   if (selection.part == Part::sculpture) return sculptureBox;
-  if (selection.part == Part::mirror) return mirrorBox(level.optic.shape);
+  if (selection.part == Part::mirror) return boxOf(level.optic.shape());
   Box box;
   if (!allows(level, selection, GizmoMode::move)) return box;
   const Point point = originOf(level, selection, originalBox, sculptureBox);
@@ -276,7 +201,7 @@ Level rotated(const Level& level, const Selection& selection, const Point& origi
         eulerDegrees(turn * rotationMatrix(placement.rotationDegrees), placement.rotationDegrees);
     if (placement.position != origin) placement.position = map(placement.position);
   } else {
-    std::visit([&](auto& shape) { mapMirror(shape, map); }, result.optic.shape);
+    result.optic.shape() = mapShape(level.optic.shape(), mapOf(map));
   }
   return result;
 }
@@ -285,7 +210,7 @@ Level scaled(const Level& level, const Selection& selection, const Point& origin
   Level result = level;
   if (!allows(level, selection, GizmoMode::scale) || !isFinite(origin) || !isFinite(factors)) return result;
   Vector f = glm::max(factors, Vector(0));
-  if (scalesUniformly(level, selection)) f = Vector(strongest(strongest(f.x, f.y), f.z));
+  if (scalesUniformly(level, selection)) f = Vector(ShapeMap::strongest({f.x, f.y, f.z}));
   if (f == Vector(1)) return result;
   const Axes axes = ownAxes(level, selection);
   const auto map = [&](const Point& p) {
@@ -303,12 +228,8 @@ Level scaled(const Level& level, const Selection& selection, const Point& origin
     placement.scale = glm::clamp(placement.scale * f, Vector(minLength), Vector(maxLength));
     placement.position = clampedPoint(map(placement.position));
   } else {
-    std::visit(
-        [&](auto& shape) {
-          scaleSize(shape, f);
-          mapMirror(shape, map);
-        },
-        result.optic.shape);
+    const auto within = [&](const Point& p) { return clampedPoint(map(p)); };
+    result.optic.shape() = mapShape(level.optic.shape(), mapOf(within, f));
   }
   return result;
 }

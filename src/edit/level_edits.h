@@ -30,10 +30,10 @@ enum class GizmoMode { move, rotate, scale };
 /// Where a gizmo stands and how it is turned; axes are perpendicular and right-handed.
 struct GizmoFrame {
   Point origin{0};
-  std::array<Direction, 3> axes{Direction(1, 0, 0), Direction(0, 1, 0), Direction(0, 0, 1)};
+  Axes axes = sceneAxes;
 
   bool operator==(const GizmoFrame&) const = default;
-  bool global() const { return axes == GizmoFrame{}.axes; }
+  bool global() const { return axes == sceneAxes; }
 };
 
 /// Whether the selection is a thing of this level that can be changed this way.

@@ -54,7 +54,7 @@ Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
 
 std::string windowTitle(const Session& session) {
   const fs::path& path = session.path();
-  std::string title = tr(session.level().title);
+  std::string title = tr(session.level().text->title);
   if (!path.empty() && !session.isInstalled()) {
     const std::string file = path.filename().string();
     title = title.empty() ? file : title + " (" + file + ")";

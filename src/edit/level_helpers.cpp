@@ -6,7 +6,7 @@
 
 #include "anamorphosis/map_points.h"
 #include "edit/level_edits.h"
-#include "pipeline/picture.h"
+#include "pipeline/evaluator.h"
 
 namespace anamorph {
 namespace {
@@ -19,18 +19,20 @@ constexpr int coarse = 96, fine = 256;  // pixels
 // Whether every vertex is mapped when the original is scaled about `centre`.
 class Fits {
  public:
-  Fits(const Level& level, const PointArray& placed, const Point& centre)
-      : level_(level), placed_(placed), centre_(centre) {}
+  Fits(const LevelScene& level, const PointArray& placed, const Point& centre)
+      : map_(makeVertexMap(level)), placed_(placed), centre_(centre) {
+    map_.mistakes = {};
+  }
 
   bool operator()(double factor) {
     scaled_ = mapPoints(placed_, [&](const Point& p) { return centre_ + factor * (p - centre_); });
-    mapPointsThrough(level_.optic, level_.camera.eye, scaled_, level_.sculpture.depthScale, mapped_);
+    mapPointsThrough(map_, scaled_, mapped_);
     return std::all_of(mapped_.status.begin(), mapped_.status.end(),
                        [](PathStatus status) { return status == PathStatus::mapped; });
   }
 
  private:
-  const Level& level_;
+  VertexMap map_;
   const PointArray& placed_;
   Point centre_;
   PointArray scaled_;
@@ -55,7 +57,7 @@ double heightOf(const Point& eye, const Point& pivot) {
 std::optional<Level> originalFittedToMirror(const Level& level, const PointArray& placed) {
   const Box box = boundingBox(placed);
   if (box.empty() || !(box.diagonal() > 0) || !isFinite(box.centre())) return std::nullopt;
-  if (findShapeProblem(level.optic.shape) || findEyeProblem(level.optic.shape, level.camera.eye))
+  if (findShapeProblem(level.optic.shape()) || findEyeProblem(level.optic.shape(), level.camera.eye))
     return std::nullopt;
   const Point centre = box.centre();
   Fits fits(level, placed, centre);
@@ -85,12 +87,11 @@ std::optional<Level> originalFittedToMirror(const Level& level, const PointArray
 
 CoarseView coarseView(const Level& level, std::shared_ptr<const Mesh> placed, int size, int threads,
                       const Progress& progress) {
-  if (findProblem(level, *placed)) return {};
   Level small = level;
   small.sculpture.imageSize = size;
   small.sculpture.maxTriangles = std::min<std::size_t>(small.sculpture.maxTriangles, 100'000);
   const auto finished = finishLevel(small, std::move(placed), threads, progress);
-  if (!finished || findEmptiness(*finished->sculpture.sculpture)) return {};
+  if (!finished || finished->problem) return {};
   const Match match = matchLevel(*finished, size, size, threads, progress);
   if (progress.cancelled()) return {};
   return {match.report.comparedPixels > 0, match.report.hiddenShare, match.report.missedShare};

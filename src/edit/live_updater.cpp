@@ -38,6 +38,10 @@ bool anyTriangleMapped(const Sculpture& sculpture) {
       });
 }
 
+bool isSameScene(const LevelScene& a, const LevelScene& b) {
+  return a == b;
+}
+
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
   return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
 }
@@ -51,7 +55,7 @@ LiveUpdater::LiveUpdater(std::function<void()> wake, int threads)
       worker_(std::move(wake)) {}
 
 bool LiveUpdater::large() const {
-  return products_.shape && products_.shape->positions.size() > liveVertexLimit;
+  return result_.shape && result_.shape->positions.size() > liveVertexLimit;
 }
 
 bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
@@ -61,7 +65,7 @@ bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
     changed = true;
   }
   changed |= takeResults(session);
-  const bool moved = !(products_.level == session.level());
+  const bool moved = !isSameScene(result_.level, session.level());
   if (moved) {
     lastChange_ = Clock::now();
     cancelled_ = false;
@@ -72,6 +76,7 @@ bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
     followLevel(session.level(), options);
     changed = true;
   }
+  result_.level.text = session.level().text;
   request(session, options);
   double rayTime = 0;
   {
@@ -87,11 +92,12 @@ void LiveUpdater::openLevel(const Session& session) {
   worker_.cancel();
   // The running job keeps the old ones until it notices. And a file that is opened again is read again.
   evaluator_ = std::make_shared<Evaluator>();
-  results_ = std::make_shared<Mailbox<Settled>>();
+  results_ = std::make_shared<Mailbox<Evaluated>>();
   requested_.reset();
   cancelled_ = false;
-  products_ = {};
-  products_.level = session.level();
+  result_ = {};
+  result_.level = session.level();
+  of_ = {};
   liveOriginal_.reset();
   liveShape_.reset();
   liveSculpture_.reset();
@@ -99,116 +105,168 @@ void LiveUpdater::openLevel(const Session& session) {
   baseSculpture_ = {};
 }
 
+LiveUpdater::PictureSubject LiveUpdater::reflectionSubject() const {
+  return {makeReflectionScene(result_.level, result_.sculpture), result_.level.camera, result_.level.tracing};
+}
+LiveUpdater::PictureSubject LiveUpdater::originalSubject() const {
+  return {makeOriginalScene(result_.level, result_.original), result_.level.camera, result_.level.tracing};
+}
+LiveUpdater::MatchSubject LiveUpdater::matchSubject() const {
+  return {result_.original, result_.sculpture, result_.level.optic, result_.level.camera};
+}
+
+// What is not current is a new start for the live step, which follows at once.
 bool LiveUpdater::takeResults(const Session& session) {
   bool changed = false;
-  if (const auto settled = results_->take(); settled && settled->input.levelPath == session.path()) {
-    const bool current = settled->input.level == session.level();
-    const bool newShape = settled->shape != products_.shape;
+  if (auto evaluated = results_->take(); evaluated && evaluated->input.levelPath == session.path()) {
+    const bool current = isSameScene(evaluated->input.level, session.level());
+    const bool newShape = evaluated->result.shape != result_.shape;
     if (current || newShape || large()) {
-      adopt(*settled, current);
+      const bool isLast = requested_ == evaluated->input;
+      result_ = std::move(evaluated->result);
+      result_.refined &= current;
+      result_.complete &= current && isLast;
+      noteSubjects();
       changed = true;
     }
   }
   if (const auto failure = worker_.takeFailure()) {
-    products_.problem = *failure;
-    products_.complete = true;
+    result_.problem = *failure;
+    result_.complete = true;
     changed = true;
   }
   return changed;
 }
 
-// What is not current is a new start for the live step, which follows at once.
-void LiveUpdater::adopt(const Settled& settled, bool current) {
-  products_.level = settled.input.level;
-  products_.shape = settled.shape;
-  products_.original = settled.original;
-  products_.sculpture = settled.sculpture;
-  products_.problem = settled.problem;
-  products_.warnings = settled.warnings;
-  products_.refined = current;
-  products_.complete = current && settled.complete && requested_ == settled.input;
-  if (settled.match || settled.problem) products_.match = settled.match;
-  if (settled.previews.reflection) products_.previews.reflection = settled.previews.reflection;
-  if (settled.previews.original) products_.previews.original = settled.previews.original;
-  if (settled.previews.difference || settled.problem)
-    products_.previews.difference = settled.previews.difference;
-  if (baseSculpture_ == settled.sculpture && baseOriginal_ == settled.original) return;
-  baseOriginal_ = settled.original;
-  baseSculpture_ = settled.sculpture;
+// The result is the worker's: it is what it was made of, and live ones start from it.
+void LiveUpdater::noteSubjects() {
+  of_ = {};
+  if (!result_.problem) {
+    of_.sculpture = SculptureSubject{result_.original.mesh, makeVertexMap(result_.level)};
+    of_.refined = makeDeformInput(result_.level, result_.original.mesh);
+    if (result_.match) of_.match = matchSubject();
+  }
+  if (result_.previews.reflection) of_.reflection = reflectionSubject();
+  if (result_.previews.original) of_.original = originalSubject();
+  if (baseSculpture_ == result_.sculpture && baseOriginal_ == result_.original) return;
+  baseOriginal_ = result_.original;
+  baseSculpture_ = result_.sculpture;
   liveSculpture_.reset();
 }
 
 void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) {
-  const Level before = std::exchange(products_.level, level);
-  products_.refined = products_.complete = false;
+  const OriginalSettings before = std::exchange(result_.level, level).original;
+  result_.complete = false;
   liveTimes_ = {};
-  if (!products_.shape || large()) return;
+  if (!result_.shape || large()) {
+    result_.refined = false;
+    return;
+  }
   {
     const Stopwatch watch(liveTimes_.original);
-    if (liveShape_ != products_.shape) {
-      liveOriginal_.emplace(products_.shape, baseOriginal_);
-      liveShape_ = products_.shape;
-    }
-    const OriginalSettings& now = level.original;
-    if (!(now.placement == before.original.placement) || now.unitize != before.original.unitize) {
-      products_.original = liveOriginal_->place(now.unitize, now.placement, frameThreads_);
-    }
+    followOriginal(before);
   }
   {
     const Stopwatch watch(liveTimes_.sculpture);
-    followSculpture(level);
+    followSculpture();
   }
-  takeCoarsePictures(level, options.original);
-}
-
-void LiveUpdater::followSculpture(const Level& level) {
-  products_.warnings.clear();
-  products_.problem = findProblem(level, *products_.original.mesh);
-  if (products_.problem) {
-    products_.sculpture = prepareSculpture({});
-    return;
-  }
-  if (!liveSculpture_) liveSculpture_.emplace(baseOriginal_, baseSculpture_);
-  products_.sculpture = liveSculpture_->follow(level, products_.original.mesh, frameThreads_);
-  const Sculpture& sculpture = *products_.sculpture.sculpture;
-  if (!anyTriangleMapped(sculpture)) {
-    Sculpture empty;
-    empty.originalStatus = sculpture.originalStatus;
-    products_.problem = findEmptiness(empty);
-    products_.sculpture = prepareSculpture(std::move(empty));
-    return;
-  }
-  products_.warnings = findWarnings(level, sculpture);
-}
-
-void LiveUpdater::takeCoarsePictures(const Level& level, bool original) {
-  const auto [width, height] = pictureSize(level.camera, coarseSize);
-  ImageRequest request = makeImageRequest(level, width, height, frameThreads_);
-  request.samplesPerAxis = 1;
+  const bool compare = !result_.problem && !(of_.match == matchSubject());
   {
     const Stopwatch watch(liveTimes_.preview);
-    products_.previews.reflection = shared(render(*sceneOf(level), level.camera, request));
-    products_.previews.original = nullptr;
-    if (original) {
-      const RenderScene alone = buildScene(makeOriginalScene(level, products_.original));
-      products_.previews.original = shared(render(alone, level.camera, request));
-    }
+    takeCoarsePictures(options.original, compare);
   }
   const Stopwatch watch(liveTimes_.match);
-  products_.match = nullptr;
-  products_.previews.difference = nullptr;
-  if (products_.problem) return;
-  const auto match = std::make_shared<const Match>(computeMatch(
-      makeMatchInput(level, products_.original, products_.sculpture, width, height), frameThreads_));
-  if (original) {
-    products_.previews.difference =
-        std::make_shared<const Image>(markDifferences(*products_.previews.original, *match));
-  }
-  products_.match = match;
+  followMatch(compare);
 }
 
-std::shared_ptr<const RenderScene> LiveUpdater::sceneOf(const Level& level) {
-  return scene_.get(makeReflectionScene(level, products_.sculpture), [](const SceneInput& input) {
+void LiveUpdater::followOriginal(const OriginalSettings& before) {
+  const OriginalSettings& now = result_.level.original;
+  if (now.placement == before.placement && now.unitize == before.unitize) return;
+  if (liveShape_ != result_.shape) {
+    liveOriginal_.emplace(result_.shape, baseOriginal_);
+    liveShape_ = result_.shape;
+  }
+  result_.original = liveOriginal_->place(now.unitize, now.placement, frameThreads_);
+  ++liveCounts_.originals;
+}
+
+void LiveUpdater::followSculpture() {
+  const Level& level = result_.level;
+  result_.warnings.clear();
+  result_.problem = findProblem(level, result_.original.box);
+  if (result_.problem) {
+    of_.sculpture.reset();
+    result_.sculpture = prepareSculpture({});
+    result_.refined = false;
+    return;
+  }
+  SculptureSubject subject{result_.original.mesh, makeVertexMap(level)};
+  if (!(of_.sculpture == subject)) {
+    if (!liveSculpture_) liveSculpture_.emplace(baseOriginal_, baseSculpture_);
+    result_.sculpture = liveSculpture_->follow(subject.map, subject.original, frameThreads_);
+    ++liveCounts_.sculptures;
+    of_.refined.reset();
+    of_.emptiness.reset();
+    const Sculpture& sculpture = *result_.sculpture.sculpture;
+    if (!anyTriangleMapped(sculpture)) {
+      Sculpture empty;
+      empty.originalStatus = sculpture.originalStatus;
+      of_.emptiness = findEmptiness(empty);
+      result_.sculpture = prepareSculpture(std::move(empty));
+    }
+    of_.sculpture = std::move(subject);
+  }
+  result_.refined = of_.refined == makeDeformInput(level, result_.original.mesh);
+  result_.problem = of_.emptiness;
+  if (!result_.problem) result_.warnings = findWarnings(level, result_.sculpture);
+}
+
+void LiveUpdater::takeCoarsePictures(bool wantOriginal, bool compare) {
+  const Level& level = result_.level;
+  const auto [width, height] = pictureSize(level.grid, coarseSize);
+  ImageRequest request = makeImageRequest(level, width, height, frameThreads_);
+  request.samplesPerAxis = 1;
+  if (PictureSubject subject = reflectionSubject(); !(of_.reflection == subject)) {
+    result_.previews.reflection = shared(render(*reflectionScene(), level.camera, request));
+    of_.reflection = std::move(subject);
+    ++liveCounts_.pictures;
+  }
+  PictureSubject subject = originalSubject();
+  const bool same = of_.original == subject;
+  // What is compared has the size of the match.
+  const auto& picture = result_.previews.original;
+  const bool fits = picture && picture->width == width && picture->height == height;
+  if (same && (fits || !(wantOriginal && compare))) return;
+  of_.original.reset();
+  result_.previews.original = nullptr;
+  if (!wantOriginal) return;
+  result_.previews.original = shared(render(buildScene(subject.scene), level.camera, request));
+  of_.original = std::move(subject);
+  ++liveCounts_.pictures;
+}
+
+void LiveUpdater::followMatch(bool compare) {
+  if (result_.problem) {
+    of_.match.reset();
+    result_.match = nullptr;
+    result_.previews.difference = nullptr;
+  }
+  if (!compare) return;
+  const auto [width, height] = pictureSize(result_.level.grid, coarseSize);
+  const auto match = std::make_shared<const Match>(computeMatch(
+      makeMatchInput(result_.level, result_.original, result_.sculpture, width, height), frameThreads_));
+  ++liveCounts_.matches;
+  of_.match = matchSubject();
+  result_.match = match;
+  result_.previews.difference = nullptr;
+  const auto& original = result_.previews.original;
+  if (!original || original->width != width || original->height != height) return;
+  result_.previews.difference =
+      std::make_shared<const Image>(markDifferences(*original, *match));
+}
+
+std::shared_ptr<const RenderScene> LiveUpdater::reflectionScene() {
+  return scene_.get(makeReflectionScene(result_.level, result_.sculpture), [](const SceneInput& input) {
     return std::make_shared<const RenderScene>(buildScene(input));
   });
 }
@@ -226,39 +284,39 @@ void LiveUpdater::request(const Session& session, const UpdateOptions& options) 
   EvaluationInput wanted{session.level(), session.path(), options.previewSize};
   if (requested_ == wanted) return;
   requested_ = wanted;
-  products_.complete = false;
+  result_.complete = false;
   worker_.request([evaluator = evaluator_, results = results_, wake = wake_, threads = threads_,
-                   wanted = std::move(wanted)](const Progress& progress) {
+                   wanted = std::move(wanted), shown = result_](const Progress& progress) {
     evaluator->evaluate(
         wanted, threads,
-        [&](const Settled& part) {
-          results->put(part);
+        [&](const LevelResult& part) {
+          results->put({wanted, part});
           if (wake) wake();
         },
-        progress);
+        progress, shown);
   });
 }
 
 bool LiveUpdater::updateRays(const UpdateOptions& options) {
-  const Level& level = products_.level;
-  if (!products_.sculpture.sculpture) {
-    const bool had = products_.scene != nullptr;
-    products_.scene = nullptr;
-    products_.screen = nullptr;
-    products_.trees = nullptr;
+  const Level& level = result_.level;
+  const auto before = std::pair{result_.screen, result_.trees};
+  if (!result_.sculpture.sculpture) {
+    const bool had = result_.scene != nullptr;
+    result_.scene = nullptr;
+    result_.screen = nullptr;
+    result_.trees = nullptr;
     return had;
   }
-  const auto before = std::pair{products_.screen, products_.trees};
-  products_.scene = sceneOf(level);
+  result_.scene = reflectionScene();
   const Camera& camera = level.camera;
-  ImageRequest request = makeImageRequest(level, camera.gridColumns, camera.gridRows, frameThreads_);
+  ImageRequest request = makeImageRequest(level, level.grid.columns, level.grid.rows, frameThreads_);
   if (request.width * request.height > maxSampledCells) request.samplesPerAxis = 1;
-  products_.screen = screen_.get({products_.scene, camera, request}, [](const GridKey& key) {
+  result_.screen = screen_.get({result_.scene, camera, request}, [](const GridKey& key) {
     return shared(render(*key.scene, key.camera, key.request));
   });
-  products_.trees = nullptr;
+  result_.trees = nullptr;
   if (options.trees) {
-    products_.trees = trees_.get({products_.scene, camera, request}, [](const GridKey& key) {
+    result_.trees = trees_.get({result_.scene, camera, request}, [](const GridKey& key) {
       auto trees = std::make_shared<std::vector<RayTree>>();
       for (int y = 0; y < key.request.height; ++y) {
         for (int x = 0; x < key.request.width; ++x) {
@@ -268,7 +326,7 @@ bool LiveUpdater::updateRays(const UpdateOptions& options) {
       return std::shared_ptr<const std::vector<RayTree>>(trees);
     });
   }
-  return before != std::pair{products_.screen, products_.trees};
+  return before != std::pair{result_.screen, result_.trees};
 }
 
 bool LiveUpdater::busy() const {
@@ -294,7 +352,7 @@ void LiveUpdater::finish(const Session& session, const UpdateOptions& options) {
   restart();
   do {
     update(session, options);
-    if (products_.complete) return;
+    if (result_.complete) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   } while (true);
 }

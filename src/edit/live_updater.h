@@ -3,43 +3,26 @@
 // takes the pictures (pipeline/evaluator.h), and hands over what it has step by step. No call here waits for the
 // worker.
 //
-//   session.level() --changed?--> live step, in the frame ----------------------> products()
-//                  \--at rest----> worker: settle ... part ... part ... complete --^
+//   session.level() --changed?--> live step, in the frame ----------------------> result()
+//                  \--at rest----> worker: evaluate ... part ... part ... complete --^
+//
+// The live step is keyed by value like the worker's stages: what does not depend on the change is kept. A light's
+// colour costs a coarse picture; no vertex is mapped, no tree refitted, nothing matched, nothing sent to the
+// graphics card.
 #pragma once
 
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "edit/session.h"
 #include "pipeline/evaluator.h"
 #include "pipeline/live.h"
 #include "pipeline/memo.h"
 #include "pipeline/worker.h"
-#include "raytrace/tracer.h"
 
 namespace anamorph {
-
-/// What the window shows. Everything belongs to `level`; pointers are null when there is nothing yet.
-struct Products {
-  Level level;
-  std::shared_ptr<const Mesh> shape;
-  PreparedMesh original;
-  PreparedSculpture sculpture;
-  std::optional<std::string> problem;  ///< why there is no sculpture, and what to do
-  std::vector<std::string> warnings;
-  std::shared_ptr<const Match> match;
-  Previews previews;
-  bool refined = false;   ///< the sculpture is the settled one
-  bool complete = false;  ///< match and pictures are too
-
-  std::shared_ptr<const RenderScene> scene;           ///< what the RT camera sees
-  std::shared_ptr<const Image> screen;                ///< one pixel for every cell of the pixel grid
-  std::shared_ptr<const std::vector<RayTree>> trees;  ///< of every cell, row by row; null unless asked for
-};
 
 struct UpdateOptions {
   int previewSize = 256;  ///< longer side in pixels; 0: the pixel grid's own resolution
@@ -54,14 +37,20 @@ struct LiveTimes {
   double total() const { return original + sculpture + preview + match + rays; }
 };
 
+/// How often the live step has computed each of its stages.
+struct LiveCounts {
+  std::size_t originals = 0, sculptures = 0, matches = 0, pictures = 0;
+  bool operator==(const LiveCounts&) const = default;
+};
+
 class LiveUpdater {
  public:
   /// `wake` is called from the worker's thread when there is something new to take. `threads` <= 0: all.
   explicit LiveUpdater(std::function<void()> wake = {}, int threads = 0);
 
-  /// One frame. Returns whether the products changed.
+  /// One frame. Returns whether the result changed.
   bool update(const Session& session, const UpdateOptions& options);
-  const Products& products() const { return products_; }
+  const LevelResult& result() const { return result_; }
 
   /// Whether the worker works, or will when the level has rested for a moment.
   bool busy() const;
@@ -78,6 +67,7 @@ class LiveUpdater {
   void finish(const Session& session, const UpdateOptions& options);
 
   const LiveTimes& liveTimes() const { return liveTimes_; }
+  const LiveCounts& liveCounts() const { return liveCounts_; }
 
   /// The longer side of pictures and match while something moves, in pixels.
   static constexpr int coarseSize = 40;
@@ -89,23 +79,59 @@ class LiveUpdater {
 
   void openLevel(const Session& session);
   bool takeResults(const Session& session);
-  void adopt(const Settled& settled, bool current);
+  void noteSubjects();
   void followLevel(const Level& level, const UpdateOptions& options);
-  void followSculpture(const Level& level);
-  std::shared_ptr<const RenderScene> sceneOf(const Level& level);
-  void takeCoarsePictures(const Level& level, bool original);
+  void followOriginal(const OriginalSettings& before);
+  void followSculpture();
+  void takeCoarsePictures(bool wantOriginal, bool compare);
+  void followMatch(bool compare);
+  std::shared_ptr<const RenderScene> reflectionScene();
   void request(const Session& session, const UpdateOptions& options);
   bool updateRays(const UpdateOptions& options);
   bool large() const;
 
+  // What a picture shows, whatever its size.
+  struct PictureSubject {
+    SceneInput scene;
+    Camera camera;
+    TracingSettings tracing;
+    bool operator==(const PictureSubject&) const = default;
+  };
+  // What a match compares, whatever its size.
+  struct MatchSubject {
+    PreparedMesh original;
+    PreparedSculpture sculpture;
+    Optic optic;
+    Camera camera;
+    bool operator==(const MatchSubject&) const = default;
+  };
+  struct SculptureSubject {
+    std::shared_ptr<const Mesh> original;
+    VertexMap map;
+    bool operator==(const SculptureSubject&) const = default;
+  };
+  // What the parts of the result are of; nothing: of nothing that could be kept.
+  struct Subjects {
+    std::optional<SculptureSubject> sculpture;
+    std::optional<std::string> emptiness;  // of that sculpture
+    std::optional<DeformInput> refined;
+    std::optional<MatchSubject> match;
+    std::optional<PictureSubject> reflection, original;
+  };
+  PictureSubject reflectionSubject() const;
+  PictureSubject originalSubject() const;
+  MatchSubject matchSubject() const;
+
   int threads_, frameThreads_;
-  Products products_;
+  LevelResult result_;
+  Subjects of_;
   int generation_ = 0;
   LiveTimes liveTimes_;
+  LiveCounts liveCounts_;
 
   std::shared_ptr<const Mesh> liveShape_;  // that liveOriginal_ was made from
   std::optional<LiveOriginal> liveOriginal_;
-  PreparedMesh baseOriginal_;  // settled, that live ones start from
+  PreparedMesh baseOriginal_;  // evaluated, that live ones start from
   PreparedSculpture baseSculpture_;
   std::optional<LiveSculpture> liveSculpture_;
   struct GridKey {
@@ -123,9 +149,13 @@ class LiveUpdater {
   bool resting_ = false;  // a change goes on, but has not moved for a while
   bool cancelled_ = false;
 
+  struct Evaluated {
+    EvaluationInput input;
+    LevelResult result;
+  };
   const std::function<void()> wake_;
   std::shared_ptr<Evaluator> evaluator_ = std::make_shared<Evaluator>();
-  std::shared_ptr<Mailbox<Settled>> results_ = std::make_shared<Mailbox<Settled>>();
+  std::shared_ptr<Mailbox<Evaluated>> results_ = std::make_shared<Mailbox<Evaluated>>();
   Worker worker_;  // last: its job uses the mailbox
 };
 

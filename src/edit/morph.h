@@ -13,9 +13,7 @@
 namespace anamorph {
 
 /// The positions of sculpture.mesh at t = 0..1: exactly sculpture.original at 0, exactly the sculpture at 1.
-/// Vertices that are not mapped stay. `optic` and `eye` are those it was made with. `threads` as for
-/// parallelFor.
-PointArray morphPoints(const Sculpture& sculpture, const Optic& optic, const Point& eye, double t,
-                       int threads = 1);
+/// Vertices that are not mapped stay. `map` is the one it was made by. `threads` as for parallelFor.
+PointArray morphPoints(const Sculpture& sculpture, const VertexMap& map, double t, int threads = 1);
 
 }  // namespace anamorph

@@ -4,33 +4,27 @@
 
 #include "pipeline/buffer_ring.h"
 #include "pipeline/memo.h"
-#include "pipeline/stages.h"
+#include "pipeline/moving_mesh.h"
 
 namespace anamorph {
 
 class MorphStage {
  public:
   /// `share` as for morphPoints; 1 is the sculpture itself.
-  PreparedSculpture at(double fraction, const Level& level, const PreparedSculpture& sculpture, int threads);
+  PreparedSculpture at(double fraction, const LevelScene& level, const PreparedSculpture& sculpture, int threads);
 
  private:
   struct Input {
     double fraction;
-    Optic optic;
-    Point eye;
+    VertexMap map;
     PreparedSculpture sculpture;
     bool operator==(const Input&) const = default;
-  };
-  struct Moving {
-    Sculpture sculpture;
-    Bvh bvh;
-    std::vector<glm::vec3> normals;
   };
   PreparedSculpture make(const Input& input, int threads);
 
   Memo<Input, PreparedSculpture> memo_;
   std::shared_ptr<const NormalGroups> ringGroups_;  // of the triangles that the ring's buffers have
-  BufferRing<Moving> ring_;
+  BufferRing<MovingMesh> ring_;
 };
 
 }  // namespace anamorph

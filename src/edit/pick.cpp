@@ -56,7 +56,7 @@ Pick pickIcon(const PickInput& input, const Pixel& pixel) {
 
 Pick pickGrid(const PickInput& input, const Ray& ray) {
   if (!input.display.rtCamera) return {};
-  const auto hit = intersectGrid(input.level.camera, ray);
+  const auto hit = intersectGrid(input.level.camera, input.level.grid, ray);
   return hit ? Pick{{Part::eye}, hit->cell, {}, hit->t, ray.at(hit->t)} : Pick{};
 }
 
@@ -117,7 +117,7 @@ Pick pickVertexBeside(const PickInput& input, const Pixel& pixel) {
 }
 
 Pick pickMirror(const PickInput& input, const Ray& ray) {
-  const MirrorShape& shape = input.level.optic.shape;
+  const Shape& shape = input.level.optic.shape();
   if (findShapeProblem(shape)) return {};
   const auto hit = intersect(shape, ray);
   return hit ? Pick{{Part::mirror}, {}, {}, hit->t, hit->point} : Pick{};
@@ -140,14 +140,14 @@ Pick pick(const PickInput& input, const Pixel& pixel) {
   return best;
 }
 
-std::optional<GridHit> intersectGrid(const Camera& camera, const Ray& ray) {
-  const Projection grid(camera, std::max(camera.gridColumns, 1), std::max(camera.gridRows, 1));
-  const Direction& forward = grid.frame().forward;
-  const double t = glm::dot(camera.eye + camera.screenDistance * forward - ray.origin, forward) /
+std::optional<GridHit> intersectGrid(const Camera& camera, const PixelGrid& grid, const Ray& ray) {
+  const Projection image(camera, std::max(grid.columns, 1), std::max(grid.rows, 1));
+  const Direction& forward = image.frame().forward;
+  const double t = glm::dot(camera.eye + grid.distance * forward - ray.origin, forward) /
                    glm::dot(ray.direction, forward);
   if (!(t > 0) || !std::isfinite(t)) return std::nullopt;
-  const auto pixel = grid.pixelOf(ray.at(t));
-  if (!pixel || !(pixel->x >= 0 && pixel->x < grid.width() && pixel->y >= 0 && pixel->y < grid.height())) {
+  const auto pixel = image.pixelOf(ray.at(t));
+  if (!pixel || !(pixel->x >= 0 && pixel->x < image.width() && pixel->y >= 0 && pixel->y < image.height())) {
     return std::nullopt;
   }
   return GridHit{{static_cast<int>(pixel->x), static_cast<int>(pixel->y)}, t};

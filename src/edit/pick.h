@@ -65,7 +65,7 @@ struct GridHit {
   GridCell cell;
   double t = 0;
 };
-std::optional<GridHit> intersectGrid(const Camera& camera, const Ray& ray);
+std::optional<GridHit> intersectGrid(const Camera& camera, const PixelGrid& grid, const Ray& ray);
 
 /// Whether the mesh still has the triangle; another original may not.
 bool isOn(const Mesh& original, const PickedPoint& picked);

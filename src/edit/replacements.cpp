@@ -1,69 +1,14 @@
 #include "edit/replacements.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "edit/level_edits.h"
 #include "level/limits.h"
-#include "math/frame.h"
+#include "optics/shape_table.h"
 #include "pipeline/original.h"
 
 namespace anamorph {
 namespace {
-
-// What the kinds have in common: a middle, a way up, a width and a height.
-struct Extent {
-  Point middle{0};
-  Direction up{0, 0, 1};
-  double width = 6, height = 6;
-};
-
-struct ExtentOf {
-  Extent operator()(const PlaneMirror& plane) const {
-    const auto& v = plane.corners;
-    const Vector across = 0.5 * (v[1] - v[0] + v[2] - v[3]), along = 0.5 * (v[3] - v[0] + v[2] - v[1]);
-    // The side that is more upright is the height.
-    const bool turned = std::abs(glm::normalize(across).z) > std::abs(glm::normalize(along).z);
-    const Vector up = turned ? across : along, side = turned ? along : across;
-    return {middleOf(plane), glm::normalize(up.z < 0 ? -up : up), glm::length(side), glm::length(up)};
-  }
-  Extent operator()(const CylinderMirror& cylinder) const {
-    const Vector axis = cylinder.top - cylinder.bottom;
-    return {middleOf(cylinder), glm::normalize(axis), 2 * cylinder.radius, glm::length(axis)};
-  }
-  Extent operator()(const SphereMirror& sphere) const {
-    return {sphere.centre, {0, 0, 1}, 2 * sphere.radius, 2 * sphere.radius};
-  }
-};
-
-Extent extentOf(const MirrorShape& shape) {
-  Extent extent;
-  if (!findShapeProblem(shape)) return std::visit(ExtentOf{}, shape);
-  extent.middle = middleOf(shape);
-  if (!isFinite(extent.middle)) extent.middle = Point(0);
-  return extent;
-}
-
-PlaneMirror planeOf(const Extent& e, const Point& eye) {
-  const Vector towards = eye - e.middle, flat = towards - glm::dot(towards, e.up) * e.up;
-  const Direction normal = glm::length(flat) > 1e-9 ? glm::normalize(flat) : perpendicular(e.up);
-  const Vector x = 0.5 * e.width * glm::cross(e.up, normal), y = 0.5 * e.height * e.up;
-  return {{e.middle - x - y, e.middle + x - y, e.middle + x + y, e.middle - x + y}};
-}
-
-CylinderMirror cylinderOf(const Extent& e, const Point& eye) {
-  const Vector towards = eye - e.middle;
-  const double distance = glm::length(towards - glm::dot(towards, e.up) * e.up);
-  const double radius = distance > 1e-6 ? std::min(0.5 * e.width, 0.5 * distance) : 0.5 * e.width;
-  const Vector half = 0.5 * e.height * e.up;
-  return {e.middle - half, e.middle + half, radius};
-}
-
-SphereMirror sphereOf(const Extent& e, const Point& eye) {
-  const double size = 0.5 * std::min(e.width, e.height), distance = glm::length(eye - e.middle);
-  return {e.middle, distance > 1e-6 ? std::min(size, 0.5 * distance) : size};
-}
 
 // Whether the shape has a size of its own that took the factor.
 struct Resize {
@@ -97,12 +42,8 @@ double scaleInto(const Box& own, const Box& room) {
 
 }  // namespace
 
-MirrorShape mirrorOfKind(std::size_t kind, const MirrorShape& old, const Point& eye) {
-  if (kind == old.index()) return old;
-  const Extent extent = extentOf(old);
-  if (kind == 0) return planeOf(extent, eye);
-  if (kind == 1) return cylinderOf(extent, eye);
-  return sphereOf(extent, eye);
+Shape mirrorOfKind(std::size_t kind, const Shape& old, const Point& eye) {
+  return kind == shapeIndex(old) ? old : shapeTypes().at(kind).filling(extentOf(old), eye);
 }
 
 OriginalShape builtInShape(std::size_t kind) {

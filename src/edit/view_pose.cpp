@@ -37,10 +37,10 @@ double ViewProjection::unitsPerPixel(const Point& point) const {
   return 2 * halfHeight_ * std::max(depth, 1e-9) / height_;
 }
 
-ViewPose lookThroughPose(const Camera& camera, int width, int height) {
+ViewPose lookThroughPose(const Camera& camera, const PixelGrid& grid, int width, int height) {
   ViewPose pose{camera.eye, camera.target, camera.up, camera.fovDegrees, false};
   if (!(lengthSquared(camera.target - camera.eye) > 0)) pose.target = camera.eye + Direction(0, 1, 0);
-  const double imageAspect = double(camera.gridColumns) / camera.gridRows;
+  const double imageAspect = double(grid.columns) / grid.rows;
   const double viewAspect = double(width) / height;
   if (viewAspect < imageAspect) {  // too narrow: the whole image has to fit
     const double half = std::tan(radians(camera.fovDegrees) / 2) * imageAspect / viewAspect;

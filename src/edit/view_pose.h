@@ -51,8 +51,8 @@ class ViewProjection {
   double halfHeight_;
 };
 
-/// The pose that sees exactly what the RT camera sees: its whole image (gridColumns : gridRows) fits the picture, and
+/// The pose that sees exactly what the RT camera sees: its whole image (grid.columns : grid.rows) fits the picture, and
 /// where the picture is at least as wide as the image the fields of view are equal.
-ViewPose lookThroughPose(const Camera& camera, int width, int height);
+ViewPose lookThroughPose(const Camera& camera, const PixelGrid& grid, int width, int height);
 
 }  // namespace anamorph

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "exports/printable.h"
-#include "pipeline/evaluator.h"
 
 namespace anamorph {
 namespace {
@@ -24,24 +23,17 @@ Point2 headingOf(const Point& eye, const Point& middle, const Point& target) {
   return {0, 1};
 }
 
-struct ScaleMirror {
-  double factor;
-  MirrorShape operator()(PlaneMirror plane) const {
-    for (Point& corner : plane.corners) corner *= factor;
-    return plane;
+bool standsInTheWay(const Bvh& thing, const std::vector<Point>& way) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (thing.anyHit({way[i - 1], way[i] - way[i - 1]}, 0, 1)) return true;
   }
-  MirrorShape operator()(const CylinderMirror& c) const {
-    return CylinderMirror{factor * c.bottom, factor * c.top, factor * c.radius};
-  }
-  MirrorShape operator()(const SphereMirror& s) const {
-    return SphereMirror{factor * s.centre, factor * s.radius};
-  }
-};
+  return false;
+}
 
 }  // namespace
 
-MirrorShape scaleMirror(const MirrorShape& shape, double factor) {
-  return std::visit(ScaleMirror{factor}, shape);
+Shape scaleMirror(const Shape& shape, double factor) {
+  return mapShape(shape, {[&](const Point& p) { return factor * p; }, Vector(factor)});
 }
 
 Point2 Arrangement::planOf(const Point& p) const {
@@ -53,14 +45,14 @@ Point2 Arrangement::sideOf(const Point& p) const {
   return {planOf(p).y, p.z - table};
 }
 
-Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPerUnit,
+Arrangement makeArrangement(const LevelResult& finished, double millimetresPerUnit,
                             const std::optional<BasePlateSettings>& plate) {
   const Level& level = finished.level;
   Arrangement arrangement;
-  arrangement.title = level.title;
+  arrangement.title = level.text->title;
   arrangement.millimetresPerUnit = millimetresPerUnit;
-  arrangement.hasMirror = level.optic.kind == OpticKind::mirror;
-  arrangement.mirror = scaleMirror(level.optic.shape, millimetresPerUnit);
+  arrangement.hasMirror = isVisible(level.optic);
+  arrangement.mirror = scaleMirror(level.optic.shape(), millimetresPerUnit);
   arrangement.mirrorSurface = tessellate(arrangement.mirror);
   arrangement.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
   arrangement.eye = millimetresPerUnit * level.camera.eye;
@@ -83,28 +75,30 @@ Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPer
   return arrangement;
 }
 
-std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray) {
-  const Optic& optic = finished.level.optic;
+std::optional<Sight> findSight(const LevelResult& finished, const Ray& ray) {
   const Bvh& sculpture = *finished.sculpture.prepared.bvh;
-  Sight sight{0, ray, 0};
-  if (optic.kind == OpticKind::mirror) {
-    const OpticPath path = followRay(optic, ray);
-    if (path.pointCount == 0 || sculpture.anyHit(ray, 0, path.travelled)) return std::nullopt;
-    sight = {path.travelled, path.exit, 0};
+  const LineOfSight sight = lineOfSight(finished.level.optic, ray);
+  if (sight.ends) return std::nullopt;
+  Sight found{{ray.origin}, sight.last, 0};
+  for (int i = 0; i < sight.bendCount; ++i) {
+    const Point from = found.points.back(), to = sight.bends[static_cast<std::size_t>(i)];
+    if (sculpture.anyHit({from, to - from}, 0, 1)) return std::nullopt;
+    found.points.push_back(to);
   }
   BvhHit hit;
-  if (!sculpture.closestHit(sight.last, hit)) return std::nullopt;
-  sight.t = hit.t;
-  return sight;
+  if (!sculpture.closestHit(found.last, hit)) return std::nullopt;
+  found.t = hit.t;
+  found.points.push_back(found.last.at(hit.t));
+  return found;
 }
 
-double fractionHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement) {
+double fractionHiddenByPlate(const LevelResult& finished, const Arrangement& arrangement) {
   if (!arrangement.plate) return 0;
   constexpr int size = 160;  // pixels
   const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
   const Bvh plate(mapPoints(arrangement.plate->mesh.positions, toScene), arrangement.plate->mesh.triangles);
   const Level& level = finished.level;
-  const auto [width, height] = pictureSize(level.camera, size);
+  const auto [width, height] = pictureSize(level.grid, size);
   const Projection projection(level.camera, width, height);
   std::size_t seen = 0, hidden = 0;
   for (int y = 0; y < height; ++y) {
@@ -113,7 +107,7 @@ double fractionHiddenByPlate(const FinishedLevel& finished, const Arrangement& a
       const auto sight = findSight(finished, ray);
       if (!sight) continue;
       ++seen;
-      if (plate.anyHit(ray, 0, sight->toMirror) || plate.anyHit(sight->last, 0, sight->t)) ++hidden;
+      if (standsInTheWay(plate, sight->points)) ++hidden;
     }
   }
   return seen > 0 ? double(hidden) / double(seen) : 0;

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "exports/base_plate.h"
 #include "pipeline/picture.h"
@@ -22,7 +23,7 @@ struct Arrangement {
   std::string title;
   double millimetresPerUnit = 1;
   bool hasMirror = true;  ///< else `mirror` is a canvas that is only thought of, and nothing stands there
-  MirrorShape mirror;
+  Shape mirror;
   Mesh mirrorSurface;  ///< the mirror as triangles
   Mesh sculpture;      ///< as it is printed
   std::optional<BasePlate> plate;
@@ -40,24 +41,24 @@ struct Arrangement {
 };
 
 /// Throws Error when the lengths become too large, or when no base plate can be made.
-Arrangement makeArrangement(const FinishedLevel& finished, double millimetresPerUnit,
+Arrangement makeArrangement(const LevelResult& finished, double millimetresPerUnit,
                             const std::optional<BasePlateSettings>& plate = {});
 
 /// The share of the image's pixels with a reflection of the sculpture that the base plate hides, seen by the
 /// RT camera: it stands before the mirror, or between mirror and sculpture. 0 without a plate.
-double fractionHiddenByPlate(const FinishedLevel& finished, const Arrangement& arrangement);
+double fractionHiddenByPlate(const LevelResult& finished, const Arrangement& arrangement);
 
 /// How the eye sees the sculpture along a ray: by way of the mirror, or straight.
 struct Sight {
-  double toMirror = 0;  ///< lengths of the ray sent; 0 without a mirror
-  Ray last;             ///< the ray that meets the sculpture
-  double t = 0;         ///< and where it does
+  std::vector<Point> points;  ///< from the eye by way of the mirror, if any, to the sculpture
+  Ray last;                   ///< the ray that meets the sculpture
+  double t = 0;               ///< and where it does
 };
 
 /// Nothing where the ray does not end on the sculpture, or where that stands before the mirror.
-std::optional<Sight> findSight(const FinishedLevel& finished, const Ray& ray);
+std::optional<Sight> findSight(const LevelResult& finished, const Ray& ray);
 
 /// In millimetres.
-MirrorShape scaleMirror(const MirrorShape& shape, double factor);
+Shape scaleMirror(const Shape& shape, double factor);
 
 }  // namespace anamorph

@@ -10,7 +10,7 @@
 
 #include "base/progress.h"
 #include "exports/export_request.h"
-#include "pipeline/picture.h"
+#include "pipeline/level_result.h"
 
 namespace anamorph {
 
@@ -36,7 +36,7 @@ struct ExportFormat {
   std::vector<ExportOption> options;
   const char* askedBy =
       nullptr;  ///< where its endings are another format's: the command's option that means this
-  std::optional<ExportSummary> (*write)(const FinishedLevel& finished, const ExportRequest& request,
+  std::optional<ExportSummary> (*write)(const LevelResult& finished, const ExportRequest& request,
                                         int threads, const Progress& progress) = nullptr;
 
   bool has(ExportOption option) const;

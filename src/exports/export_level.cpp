@@ -10,7 +10,7 @@
 
 namespace anamorph {
 
-std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
                                          int threads, const Progress& progress) {
   const ExportFormat& format = formatOf(request.kind);
   // Files of another kind than their ending says would not open.
@@ -22,12 +22,12 @@ std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const Ex
   return format.write(finished, request, threads, progress);
 }
 
-std::optional<PrintCheck> checkSculpture(const FinishedLevel& finished, double millimetresPerUnit,
-                                         int threads, const Progress& progress) {
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit, int threads,
+                                         const Progress& progress) {
   return checkPrint(makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit), threads, progress);
 }
 
-std::size_t countNotMapped(const FinishedLevel& finished) {
+std::size_t countNotMapped(const LevelResult& finished) {
   const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   return std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
 }

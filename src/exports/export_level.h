@@ -9,20 +9,20 @@
 #include "base/progress.h"
 #include "exports/export_request.h"
 #include "exports/print_check.h"
-#include "pipeline/picture.h"
+#include "pipeline/level_result.h"
 
 namespace anamorph {
 
 /// Makes the file of a level that has a sculpture. Throws Error. Nothing, and no file, when cancelled.
-std::optional<ExportSummary> exportLevel(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> exportLevel(const LevelResult& finished, const ExportRequest& request,
                                          int threads = 1, const Progress& progress = {});
 
 /// checkPrint for the sculpture as it would be printed, without a base plate: that is sound by itself, and
 /// overlaps the sculpture on purpose. Nothing when cancelled.
-std::optional<PrintCheck> checkSculpture(const FinishedLevel& finished, double millimetresPerUnit,
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit,
                                          int threads = 1, const Progress& progress = {});
 
 /// How many vertices of the original are not in the sculpture, for findPrintProblems.
-std::size_t countNotMapped(const FinishedLevel& finished);
+std::size_t countNotMapped(const LevelResult& finished);
 
 }  // namespace anamorph

@@ -14,7 +14,6 @@
 #include "exports/ray_file.h"
 #include "exports/viewing_sheet.h"
 #include "geometry/mesh_files.h"
-#include "pipeline/evaluator.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -22,7 +21,7 @@ namespace {
 
 constexpr double hiddenWorthSaying = 0.005;  // share of the pixels
 
-std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const Arrangement& arrangement) {
+std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
   if (!arrangement.plate) return warnings;
   const double hidden = fractionHiddenByPlate(finished, arrangement);
@@ -43,7 +42,7 @@ std::vector<std::string> findPlateWarnings(const FinishedLevel& finished, const 
 
 }  // namespace
 
-std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
                                             int /*threads*/, const Progress& progress) {
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
@@ -57,14 +56,14 @@ std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
   file.comment = fmt::format("sculpture for the {} {} in millimetres, {:g} per scene unit, made by Anamorph",
-                             shapeName(finished.level.optic.shape), surfaceName(finished.level.optic),
+                             shapeName(finished.level.optic.shape()), surfaceName(finished.level.optic),
                              request.millimetresPerUnit);
   if (progress.cancelled()) return std::nullopt;
   saveMesh(request.path, mesh, file);
   return summary;
 }
 
-std::optional<ExportSummary> writeViewingSheet(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, const ExportRequest& request,
                                                int /*threads*/, const Progress& progress) {
   const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   if (!progress.update(0.3)) return std::nullopt;
@@ -79,7 +78,7 @@ std::optional<ExportSummary> writeViewingSheet(const FinishedLevel& finished, co
       findPlateWarnings(finished, arrangement)};
 }
 
-std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request,
                                        int /*threads*/, const Progress& progress) {
   const bool ofVertices = request.vertexRays.has_value();
   const auto text =
@@ -90,9 +89,9 @@ std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const Expo
   return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
 }
 
-std::optional<ExportSummary> writeMatchReport(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
+  const auto [width, height] = pictureSize(finished.level.grid, request.size);
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
@@ -114,9 +113,9 @@ std::optional<ExportSummary> writeMatchReport(const FinishedLevel& finished, con
   return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
 }
 
-std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
                                           int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.camera, request.size);
+  const auto [width, height] = pictureSize(finished.level.grid, request.size);
   Match match;
   const bool compares = request.picture == PictureKind::difference;
   if (compares) match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));

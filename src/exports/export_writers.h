@@ -6,19 +6,19 @@
 
 #include "base/progress.h"
 #include "exports/export_request.h"
-#include "pipeline/picture.h"
+#include "pipeline/level_result.h"
 
 namespace anamorph {
 
-std::optional<ExportSummary> writeSculpture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
                                             int threads, const Progress& progress);
-std::optional<ExportSummary> writeViewingSheet(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, const ExportRequest& request,
                                                int threads, const Progress& progress);
-std::optional<ExportSummary> writeRays(const FinishedLevel& finished, const ExportRequest& request,
-                                       int threads, const Progress& progress);
-std::optional<ExportSummary> writeMatchReport(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request, int threads,
+                                       const Progress& progress);
+std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress);
-std::optional<ExportSummary> writePicture(const FinishedLevel& finished, const ExportRequest& request,
+std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
                                           int threads, const Progress& progress);
 
 }  // namespace anamorph

@@ -100,7 +100,7 @@ std::string figuresTable(const MatchReport& report) {
   return text + "</table>\n";
 }
 
-std::string levelSentence(const FinishedLevel& finished) {
+std::string levelSentence(const LevelResult& finished) {
   const Level& level = finished.level;
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
@@ -108,7 +108,7 @@ std::string levelSentence(const FinishedLevel& finished) {
       fmt::runtime(
           tr("A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
              "triangles; {}.")),
-      tr(shapeName(level.optic.shape)), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
+      tr(shapeName(level.optic.shape())), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
       level.sculpture.depthScale, sculpture.mesh.triangles.size(), shownStatus(sculpture.originalStatus));
 }
 
@@ -139,10 +139,10 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
       .value();
 }
 
-std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& report,
+std::string makeMatchPage(const LevelResult& finished, const MatchReport& report,
                           const MatchPictures& pictures) {
   const std::string title =
-      escapeHtml(tr(finished.level.title.empty() ? "Anamorphosis" : finished.level.title));
+      escapeHtml(tr(finished.level.text->title.empty() ? "Anamorphosis" : finished.level.text->title));
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
@@ -151,7 +151,7 @@ std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& repo
   page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">{}: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
                       title, tr("match"), tr(matchGradeName(gradeOf(report))), levelSentence(finished));
   page += figure(pictures.reflection, "Reflection",
-                 finished.level.optic.kind == OpticKind::mirror ? tr("what the eye sees in the mirror")
+                 isVisible(finished.level.optic) ? tr("what the eye sees in the mirror")
                                                                 : tr("what the eye sees of the sculpture"));
   page += figure(pictures.original, "Original", tr("the original alone, seen directly from the same eye"));
   page += figure(pictures.difference, "Difference", legend());

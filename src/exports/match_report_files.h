@@ -20,7 +20,7 @@ struct MatchPictures {
 };
 
 /// A page of its own: no other file, no network, no script.
-std::string makeMatchPage(const FinishedLevel& finished, const MatchReport& report,
+std::string makeMatchPage(const LevelResult& finished, const MatchReport& report,
                           const MatchPictures& pictures);
 
 /// Bytes as letters (RFC 4648), as data: URIs want them.

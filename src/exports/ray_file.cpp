@@ -37,9 +37,10 @@ class ObjLines {
 
 }  // namespace
 
-std::optional<std::string> makeVertexRayObj(const FinishedLevel& finished, int count,
+std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count,
                                             double millimetresPerUnit, const Progress& progress) {
   const Level& level = finished.level;
+  const VertexMap map = makeVertexMap(level);
   const PointArray& vertices = finished.original.mesh->positions;
   const std::size_t wanted = std::min<std::size_t>(std::max(count, 0), vertices.size());
   ObjLines file(millimetresPerUnit);
@@ -50,35 +51,36 @@ std::optional<std::string> makeVertexRayObj(const FinishedLevel& finished, int c
     if (i % 4096 == 0 && !progress.update(double(i) / double(wanted))) return std::nullopt;
     // At the middle of each of `wanted` equal parts of the list, as in the 3D view.
     const std::size_t vertex = (2 * i + 1) * vertices.size() / (2 * wanted);
-    const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, vertices[vertex],
-                                        level.sculpture.depthScale, level.sculpture.mistakes);
-    if (ray.status != PathStatus::mapped) {
+    const VertexRay ray = makeVertexRay(map, vertices[vertex]);
+    if (!ray.mapped()) {
       ++notMapped;
       continue;
     }
-    const std::size_t mirror = file.add(ray.mirror), sculpture = file.add(ray.sculpture);
-    file.write("l {} {} {}\n", eye, mirror, sculpture);
+    std::string line = fmt::format("l {}", eye);
+    for (const VertexLeg& leg : ray.legs) line += fmt::format(" {}", file.add(leg.start));
+    file.write("{} {}\n", line, file.add(ray.sculpture));
   }
   file.write("# {} rays, {} not mapped and left out\n", wanted - notMapped, notMapped);
   return file.text();
 }
 
-std::optional<std::string> makePixelRayObj(const FinishedLevel& finished, double millimetresPerUnit,
+std::optional<std::string> makePixelRayObj(const LevelResult& finished, double millimetresPerUnit,
                                            const Progress& progress) {
   const Level& level = finished.level;
   const Camera& camera = level.camera;
+  const PixelGrid& grid = level.grid;
   const RenderScene scene = buildScene(makeReflectionScene(level, finished.sculpture));
-  const ImageRequest request = makeImageRequest(level, camera.gridColumns, camera.gridRows, 1);
+  const ImageRequest request = makeImageRequest(level, grid.columns, grid.rows, 1);
   std::array<std::vector<RaySegment>, rayLooks.size()> byKind;
-  for (int y = 0; y < camera.gridRows; ++y) {
-    if (!progress.update(double(y) / camera.gridRows)) return std::nullopt;
-    for (int x = 0; x < camera.gridColumns; ++x) {
+  for (int y = 0; y < grid.rows; ++y) {
+    if (!progress.update(double(y) / grid.rows)) return std::nullopt;
+    for (int x = 0; x < grid.columns; ++x) {
       for (const RaySegment& ray : tracePath(scene, camera, request, {x + 0.5, y + 0.5}).segments)
         byKind[static_cast<std::size_t>(ray.kind)].push_back(ray);
     }
   }
   ObjLines file(millimetresPerUnit);
-  file.write("# rays of the {} x {} pixel grid, made by Anamorph\n", camera.gridColumns, camera.gridRows);
+  file.write("# rays of the {} x {} pixel grid, made by Anamorph\n", grid.columns, grid.rows);
   for (std::size_t kind = 0; kind < byKind.size(); ++kind) {
     if (byKind[kind].empty()) continue;
     file.write("o {}\n", rayLooks[kind].fileName);

@@ -33,18 +33,6 @@ Rectangle boxOf(const Loop& points) {
   return box;
 }
 
-bool isUpright(const CylinderMirror& cylinder) {
-  const Vector axis = cylinder.top - cylinder.bottom;
-  return std::hypot(axis.x, axis.y) < 1e-6 * glm::length(axis);
-}
-
-std::optional<double> circleFromAbove(const MirrorShape& shape) {
-  if (const auto* sphere = std::get_if<SphereMirror>(&shape)) return sphere->radius;
-  const auto* cylinder = std::get_if<CylinderMirror>(&shape);
-  if (cylinder && isUpright(*cylinder)) return cylinder->radius;
-  return std::nullopt;
-}
-
 std::vector<Point2> flatten(const Arrangement& arrangement, const PointArray& positions) {
   std::vector<Point2> points;
   for (std::size_t i = 0; i < positions.size(); ++i) points.push_back(arrangement.planOf(positions[i]));

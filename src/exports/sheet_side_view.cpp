@@ -23,12 +23,12 @@ std::vector<Point2> flatten(const Arrangement& arrangement, const PointArray& po
 }
 
 // The pixel nearest to the middle of the image in which the mirror shows the sculpture.
-std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, const Arrangement& arrangement) {
+std::optional<std::vector<Point2>> findRay(const LevelResult& finished, const Arrangement& arrangement) {
   constexpr int size = 41;
   const Level& level = finished.level;
   const Projection projection(level.camera, size, size);
   double nearest = std::numeric_limits<double>::infinity();
-  std::optional<std::array<Point2, 3>> found;
+  std::optional<std::vector<Point2>> found;
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const double distance = std::hypot(x - size / 2, y - size / 2);
@@ -40,7 +40,8 @@ std::optional<std::array<Point2, 3>> findRay(const FinishedLevel& finished, cons
         return arrangement.sideOf(arrangement.millimetresPerUnit * p);
       };
       nearest = distance;
-      found = {toSide(ray.origin), toSide(ray.at(sight->toMirror)), toSide(sight->last.at(sight->t))};
+      found.emplace();
+      for (const Point& point : sight->points) found->push_back(toSide(point));
     }
   }
   return found;
@@ -131,9 +132,12 @@ class Drawing {
 
   void drawRay() {
     if (!view_.ray) return;
-    const auto& [eye, mirror, sculpture] = *view_.ray;
-    drawLine(page_, at(eye), at(mirror), Pen{0.25, ink::blue, {}});
-    drawLine(page_, at(mirror), at(sculpture), Pen{0.25, ink::vermilion, {1.4, 0.8}});
+    const std::vector<Point2>& ray = *view_.ray;
+    for (std::size_t i = 1; i < ray.size(); ++i) {
+      const bool fromEye = i == 1 && ray.size() > 2;
+      const Pen pen = fromEye ? Pen{0.25, ink::blue, {}} : Pen{0.25, ink::vermilion, {1.4, 0.8}};
+      drawLine(page_, at(ray[i - 1]), at(ray[i]), pen);
+    }
   }
 
   void drawEyeHeight() {
@@ -178,7 +182,7 @@ class Drawing {
 
 }  // namespace
 
-SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangement) {
+SideView makeSideView(const LevelResult& finished, const Arrangement& arrangement) {
   SideView view;
   const std::vector<Point2> mirror = flatten(arrangement, arrangement.mirrorSurface.positions);
   const std::vector<Point2> sculpture = flatten(arrangement, arrangement.sculpture.positions);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "exports/sheet_plan.h"
 
@@ -24,12 +25,12 @@ struct SideView {
   std::vector<Loop> sculpture;
   std::vector<Loop> plate;  ///< with its posts
   Point2 eye{0};
-  std::optional<std::array<Point2, 3>> ray;  ///< one from the eye by the mirror to the sculpture
+  std::optional<std::vector<Point2>> ray;  ///< one from the eye by the mirror to the sculpture
   std::vector<HeightLabel> labels;           ///< upper ones first
   Rectangle box;
 };
 
-SideView makeSideView(const FinishedLevel& finished, const Arrangement& arrangement);
+SideView makeSideView(const LevelResult& finished, const Arrangement& arrangement);
 
 /// Draws it into the area, as large as fits, and says how large that is.
 void drawSideView(Page& page, const SideView& view, const Rectangle& area);

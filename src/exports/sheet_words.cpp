@@ -17,40 +17,12 @@ std::string mm(double millimetres) {
   return formatLength(millimetres) + " mm";
 }
 
-struct DescribeMirror {
-  const Arrangement& arrangement;
-  double bottom;  // above the table
-
-  std::string standing(const std::string& how) const {
-    return bottom > nothing
-               ? how + fmt::format(fmt::runtime(tr(", its lowest point {} above the table.")), mm(bottom))
-               : how + ".";
-  }
-
-  std::string operator()(const PlaneMirror& plane) const {
-    const auto side = [&](int i) { return glm::length(plane.corners[(i + 1) % 4] - plane.corners[i]); };
-    const double lean = degrees(std::asin(std::min(1.0, std::abs(planeNormal(plane).z))));
-    const std::string size =
-        fmt::format(fmt::runtime(tr("Flat, {} x {} mm. ")), formatLength(side(0)), formatLength(side(1)));
-    if (lean < 0.05)
-      return size + standing(tr("Upright on the blue line, its reflecting side towards the eye"));
-    return size + standing(fmt::format(
-                      fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees from upright")), lean));
-  }
-  std::string operator()(const CylinderMirror& cylinder) const {
-    const Vector axis = cylinder.top - cylinder.bottom;
-    const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
-    const std::string size = fmt::format(fmt::runtime(tr("A cylinder of {} mm diameter, {} mm high. ")),
-                                         formatLength(2 * cylinder.radius), formatLength(glm::length(axis)));
-    if (lean < 0.05) return size + standing(tr("Upright on the blue circle"));
-    return size +
-           standing(fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees")), lean));
-  }
-  std::string operator()(const SphereMirror& sphere) const {
-    return fmt::format(fmt::runtime(tr("A ball of {} mm diameter. ")), formatLength(2 * sphere.radius)) +
-           standing(tr("Its lowest point over the cross; the blue circle is its outline"));
-  }
-};
+std::string describeMirror(const Shape& mirror, double bottom) {
+  const ShapeWords words = mirror->words(formatLength);
+  if (bottom <= nothing) return words.size + words.stance + ".";
+  return words.size + words.stance +
+         fmt::format(fmt::runtime(tr(", its lowest point {} above the table.")), mm(bottom));
+}
 
 std::string sculptureText(const Arrangement& arrangement, double bottom, double top) {
   const std::string place = tr("Over its orange outline, ");
@@ -80,8 +52,7 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
   if (scale < 1) paper = "Larger than life: set up by the figures, which are true lengths in mm.";
   steps.push_back({tr("Paper"), tr(paper), ink::black});
   if (arrangement.hasMirror) {
-    const DescribeMirror describe{arrangement, mirror.min.z - arrangement.table};
-    steps.push_back({tr("Mirror"), std::visit(describe, arrangement.mirror), ink::blue});
+    steps.push_back({tr("Mirror"), describeMirror(arrangement.mirror, mirror.min.z - arrangement.table), ink::blue});
   } else {
     steps.push_back({tr("Canvas"),
                      tr("Only thought of: nothing stands there, the sculpture is seen directly."),

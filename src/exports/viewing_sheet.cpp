@@ -195,7 +195,7 @@ const char* paperName(Paper paper) {
   return names[static_cast<int>(paper)];
 }
 
-ViewingSheet makeViewingSheet(const FinishedLevel& finished, const Arrangement& arrangement, Paper paper,
+ViewingSheet makeViewingSheet(const LevelResult& finished, const Arrangement& arrangement, Paper paper,
                               std::optional<double> scale) {
   const SheetPlan plan = makeSheetPlan(arrangement);
   // The words for 1 : 1 are the longest, so what fits with them fits.

@@ -27,7 +27,7 @@ struct ViewingSheet {
 
 /// At 1 : `scale`, or, without one, at 1 : 1 or the largest of 1 : 2, 1 : 5, 1 : 10, ... that fits. Throws
 /// Error when the asked scale does not fit.
-ViewingSheet makeViewingSheet(const FinishedLevel& finished, const Arrangement& arrangement, Paper paper,
+ViewingSheet makeViewingSheet(const LevelResult& finished, const Arrangement& arrangement, Paper paper,
                               std::optional<double> scale = {});
 
 }  // namespace anamorph

@@ -34,6 +34,10 @@ FieldReader::FieldReader(const JsonValue& json, std::string path, Context& conte
 }
 
 void FieldReader::need(std::initializer_list<const char*> keys) {
+  need(std::vector<const char*>(keys));
+}
+
+void FieldReader::need(const std::vector<const char*>& keys) {
   for (const char* key : keys) {
     if (find(key)) continue;
     throw Error(fmt::format("expected the key {}, got an object without it", quoteJson(key)), context_.file,
@@ -74,11 +78,11 @@ void FieldReader::field(const char* key, Vector& value, Range range) {
   if (const JsonValue* json = find(key)) readVector(*json, pathOf(key), value, range);
 }
 
-void FieldReader::field(const char* key, std::array<Point, 4>& values, Range range) {
+void FieldReader::field(const char* key, std::span<Point> values, Range range) {
   const JsonValue* json = find(key);
   if (!json) return;
   if (json->kind != Kind::array || json->items.size() != values.size()) {
-    fail(pathOf(key), "an array of 4 points", *json);
+    fail(pathOf(key), fmt::format("an array of {} points", values.size()), *json);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     readVector(json->items[i], joinJsonPath(pathOf(key), std::to_string(i)), values[i], range);

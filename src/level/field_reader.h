@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -33,6 +34,7 @@ class FieldReader {
 
   /// Throws Error when one of them is missing.
   void need(std::initializer_list<const char*> keys);
+  void need(const std::vector<const char*>& keys);
 
   bool has(const char* key) { return find(key) != nullptr; }
 
@@ -42,7 +44,7 @@ class FieldReader {
   void field(const char* key, int& value, Range range);
   void field(const char* key, std::size_t& value, Range range);
   void field(const char* key, Vector& value, Range range);
-  void field(const char* key, std::array<Point, 4>& values, Range range);
+  void field(const char* key, std::span<Point> values, Range range);
 
   /// Two whole numbers.
   void pair(const char* key, int& first, int& second, Range range);
@@ -58,6 +60,11 @@ class FieldReader {
   template <typename Choice, std::size_t count>
   void choice(const char* key, Choice& value, const std::array<const char*, count>& names) {
     choose(value, readChoice(key, {names.begin(), names.end()}));
+  }
+
+  /// The same for a list of names that is not known beforehand.
+  void choice(const char* key, std::size_t& index, const std::vector<const char*>& names) {
+    index = readChoice(key, {names.begin(), names.end()});
   }
 
   /// An object whose fields are those of `part`.

@@ -64,8 +64,10 @@ void FieldWriter::field(const char* key, const Vector& value, Range) {
   add(key, vector(value));
 }
 
-void FieldWriter::field(const char* key, const std::array<Point, 4>& values, Range) {
-  add(key, array({vector(values[0]), vector(values[1]), vector(values[2]), vector(values[3])}));
+void FieldWriter::field(const char* key, std::span<const Point> values, Range) {
+  std::vector<JsonValue> items;
+  for (const Point& value : values) items.push_back(vector(value));
+  add(key, array(std::move(items)));
 }
 
 void FieldWriter::pair(const char* key, int first, int second, Range) {

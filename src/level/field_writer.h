@@ -5,6 +5,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,6 +23,7 @@ class FieldWriter {
   FieldWriter(std::string path, const std::vector<UnknownKey>& unknownKeys);
 
   void need(std::initializer_list<const char*>) {}
+  void need(const std::vector<const char*>&) {}
   void expect(bool, const char*, const std::string&) {}
 
   void field(const char* key, bool value);
@@ -30,7 +32,7 @@ class FieldWriter {
   void field(const char* key, int value, Range);
   void field(const char* key, std::size_t value, Range);
   void field(const char* key, const Vector& value, Range);
-  void field(const char* key, const std::array<Point, 4>& values, Range);
+  void field(const char* key, std::span<const Point> values, Range);
   void pair(const char* key, int first, int second, Range);
   void factors(const char* key, const Vector& value, Range);
   void numberOrOff(const char* key, double value, Range);
@@ -40,6 +42,10 @@ class FieldWriter {
   template <typename Choice, std::size_t count>
   void choice(const char* key, const Choice& value, const std::array<const char*, count>& names) {
     field(key, std::string(names[chosen(value)]));
+  }
+
+  void choice(const char* key, std::size_t index, const std::vector<const char*>& names) {
+    field(key, std::string(names.at(index)));
   }
 
   template <typename Part>

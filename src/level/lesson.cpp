@@ -20,8 +20,8 @@ using Names = std::vector<std::string>;
 const Names raySources{"pixels", "vertices"};
 const Names mistakeNames{"direction", "distance", "normal"};
 
-Names namesOf(const auto& array) {
-  return {array.begin(), array.end()};
+Names namesOf(const auto& list) {
+  return {list.begin(), list.end()};
 }
 
 std::string oneOf(const Names& names) {
@@ -40,7 +40,7 @@ void name(FieldReader& at, const char* key, std::string& value, const Names& nam
 Names namesFor(StepEvent event) {
   switch (event) {
     case StepEvent::changedMirror:
-      return namesOf(mirrorShapes);
+      return namesOf(shapeNames());
     case StepEvent::viewed:
       return namesOf(previewTabs);
     case StepEvent::raysOf:
@@ -109,7 +109,7 @@ static void fields(FieldReader& at, StepMove& move) {
   name(at, "putRight", move.putRight, mistakeNames);
   name(at, "shape", move.shape, {"box", "sphere", "torusKnot", "letterF", "pawn"});
   optional(at, "segments", move.segments, limits::boxSegments.level);
-  name(at, "mirrorKind", move.mirrorKind, namesOf(mirrorShapes));
+  name(at, "mirrorKind", move.mirrorKind, namesOf(shapeNames()));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);

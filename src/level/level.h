@@ -3,7 +3,8 @@
 // method, section 1.
 //
 // A level holds values only: no mesh, no image, no file name of its own. level_json.h reads and writes it;
-// the pipeline makes the sculpture from it. Lengths are scene units, angles degrees, colours linear RGB, z is
+// the pipeline makes the sculpture from its scene. Its text is what a lesson says, long and seldom changed: copies of
+// the level, of which the history keeps many, share it. Lengths are scene units, angles degrees, colours linear RGB, z is
 // up.
 #pragma once
 
@@ -12,11 +13,13 @@
 #include <variant>
 #include <vector>
 
+#include "base/shared.h"
 #include "math/placement.h"
 #include "optics/camera.h"
 #include "optics/material.h"
 #include "optics/mistakes.h"
 #include "optics/optic.h"
+#include "optics/plane.h"
 
 namespace anamorph {
 
@@ -118,14 +121,13 @@ struct UnknownKey {
   bool operator==(const UnknownKey&) const = default;
 };
 
-/// The default level is the box behind a plane mirror.
-struct Level {
-  std::string title;
-  std::string description;
+/// What is seen and computed; by default the box behind a plane mirror.
+struct LevelScene {
   Optic optic{OpticKind::mirror,
               PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}}};
   MirrorLook mirrorLook;
   Camera camera{.eye = {0, -11.9, 6.5}, .target = {0, 3.4, 1}};
+  PixelGrid grid;
   OriginalSettings original;
   SculptureSettings sculpture;
   std::vector<PointLight> lights{{{-7, -12, 14}, Color(1, 0.96, 0.9), 0.8},
@@ -134,8 +136,22 @@ struct Level {
   GroundSettings ground;
   TracingSettings tracing;
   ViewSettings view;
+
+  bool operator==(const LevelScene&) const = default;
+};
+
+/// What is read: nothing that is computed depends on it.
+struct LevelText {
+  std::string title;
+  std::string description;
   std::string lesson;  ///< the lesson's steps, as JSON text on one line; empty: none
   std::vector<UnknownKey> unknownKeys;
+
+  bool operator==(const LevelText&) const = default;
+};
+
+struct Level : LevelScene {
+  Shared<LevelText> text;
 
   bool operator==(const Level&) const = default;
 };

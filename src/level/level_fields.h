@@ -8,45 +8,53 @@
 
 #include <array>
 #include <numeric>
+#include <span>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "level/field_reader.h"
 #include "level/level.h"
 #include "level/limits.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 
 constexpr std::array opticKinds{"mirror", "none"};
-constexpr std::array mirrorShapes{"plane", "cylinder", "sphere"};
 constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
-static_assert(mirrorShapes.size() == std::variant_size_v<MirrorShape>);
 static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
 
-template <typename At>
-void fields(At& at, PlaneMirror& mirror) {
-  at.need({"corners"});
-  at.field("corners", mirror.corners, limits::coordinates);
-}
+/// The keys of a shape.
+struct ShapeKeys : ShapeFields {
+  std::vector<const char*> keys;
+  void point(const FieldName& name, Point&) override { keys.push_back(name.key); }
+  void length(const FieldName& name, double&) override { keys.push_back(name.key); }
+  void points(const FieldName& name, std::span<Point>) override { keys.push_back(name.key); }
+};
 
 template <typename At>
-void fields(At& at, CylinderMirror& mirror) {
-  at.need({"bottom", "top", "radius"});
-  at.field("bottom", mirror.bottom, limits::coordinates);
-  at.field("top", mirror.top, limits::coordinates);
-  at.field("radius", mirror.radius, limits::lengths);
-}
+struct ShapeInFile : ShapeFields {
+  explicit ShapeInFile(At& file) : at(file) {}
+  void point(const FieldName& name, Point& value) override { at.field(name.key, value, limits::coordinates); }
+  void length(const FieldName& name, double& value) override {
+    at.field(name.key, value, name.mayBeZero ? limits::lengthsOrZero : limits::lengths);
+  }
+  void points(const FieldName& name, std::span<Point> values) override {
+    at.field(name.key, values, limits::coordinates);
+  }
+  At& at;
+};
 
 template <typename At>
-void fields(At& at, SphereMirror& mirror) {
-  at.need({"centre", "radius"});
-  at.field("centre", mirror.centre, limits::coordinates);
-  at.field("radius", mirror.radius, limits::lengths);
-}
-
-template <typename At>
-void fields(At& at, MirrorShape& shape) {
-  at.choice("type", shape, mirrorShapes);
-  std::visit([&](auto& chosen) { fields(at, chosen); }, shape);
+void fields(At& at, Shape& shape) {
+  std::size_t index = shapeIndex(shape);
+  at.choice("type", index, shapeNames());
+  if (index != shapeIndex(shape)) shape = shapeTypes()[index].standard;
+  ShapeKeys keys;
+  visitFields(shape, keys);
+  at.need(keys.keys);
+  ShapeInFile<At> file(at);
+  visitFields(shape, file);
 }
 
 template <typename At>
@@ -56,29 +64,36 @@ void fields(At& at, MirrorLook& look) {
 }
 
 /// In the file, the look belongs to the optic.
-struct OpticPart {
+struct OpticFields {
   Optic& optic;
   MirrorLook& look;
 };
 
 template <typename At>
-void fields(At& at, OpticPart& part) {
+void fields(At& at, OpticFields& part) {
   at.need({"kind", "shape"});
-  at.choice("kind", part.optic.kind, opticKinds);
-  at.object("shape", part.optic.shape);
+  at.choice("kind", part.optic.parts.front().kind, opticKinds);
+  at.object("shape", part.optic.shape());
   at.object("look", part.look);
 }
 
+/// In the file, the pixel grid belongs to the camera.
+struct CameraFields {
+  Camera& camera;
+  PixelGrid& grid;
+};
+
 template <typename At>
-void fields(At& at, Camera& camera) {
+void fields(At& at, CameraFields& part) {
+  Camera& camera = part.camera;
   at.need({"eye", "target"});
   at.field("eye", camera.eye, limits::coordinates);
   at.field("target", camera.target, limits::coordinates);
   at.field("up", camera.up, limits::coordinates);
   at.expect(glm::length(camera.up) >= limits::lengths.min, "up", "a vector that is not 0");
   at.field("fovDegrees", camera.fovDegrees, limits::fieldOfView.level);
-  at.pair("grid", camera.gridColumns, camera.gridRows, limits::gridCells);
-  at.field("screenDistance", camera.screenDistance, limits::gridDistance.level);
+  at.pair("grid", part.grid.columns, part.grid.rows, limits::gridCells);
+  at.field("screenDistance", part.grid.distance, limits::gridDistance.level);
 }
 
 template <typename At>
@@ -209,10 +224,11 @@ void fields(At& at, ViewSettings& view) {
 template <typename At>
 void fields(At& at, Level& level) {
   at.need({"optic", "camera", "original"});
-  at.field("title", level.title);
-  at.field("description", level.description);
-  at.object("optic", OpticPart{level.optic, level.mirrorLook});
-  at.object("camera", level.camera);
+  LevelText text = *level.text;
+  at.field("title", text.title);
+  at.field("description", text.description);
+  at.object("optic", OpticFields{level.optic, level.mirrorLook});
+  at.object("camera", CameraFields{level.camera, level.grid});
   at.object("original", level.original);
   at.object("sculpture", level.sculpture);
   at.list("lights", level.lights, limits::mostLights);
@@ -220,7 +236,8 @@ void fields(At& at, Level& level) {
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);
   at.object("view", level.view);
-  at.opaque("lesson", level.lesson);
+  at.opaque("lesson", text.lesson);
+  level.text = std::move(text);
 }
 
 }  // namespace anamorph

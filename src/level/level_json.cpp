@@ -42,7 +42,7 @@ Level readLevel(const JsonValue& document, FieldReader::Context& context) {
   Level level;
   fields(reader, level);
   reader.finish();
-  level.unknownKeys = context.unknownKeys;
+  level.text.edit([&](LevelText& text) { text.unknownKeys = context.unknownKeys; });
   return level;
 }
 
@@ -64,7 +64,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
         fileName);
   }
   loaded.level = loaded.isThesisScene ? readThesisScene(document, context) : readLevel(document, context);
-  loaded.lesson = parseLesson(loaded.level.lesson, fileName);
+  loaded.lesson = parseLesson(loaded.level.text->lesson, fileName);
   for (const UnknownKey& unknown : context.unknownKeys) {
     loaded.warnings.push_back(fmt::format("{}: {}: unknown key, {}", fileName,
                                           joinJsonPath(unknown.object, unknown.key),
@@ -77,7 +77,7 @@ std::string formatLevel(const Level& level) {
   Level copy =
       level;  // reading and writing share the functions that list the fields, and those take a reference
   Header header;
-  FieldWriter writer("", level.unknownKeys);
+  FieldWriter writer("", level.text->unknownKeys);
   fields(writer, header);
   fields(writer, copy);
   return formatJson(writer.finish());

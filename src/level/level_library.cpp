@@ -45,7 +45,7 @@ std::vector<LevelEntry> listLevels(const fs::path& folder) {
     entry.name = file.stem().string();
     try {
       LoadedLevel loaded = loadLevel(file);
-      entry.title = std::move(loaded.level.title);
+      entry.title = loaded.level.text->title;
       entry.lesson = std::move(loaded.lesson);
     } catch (const Error& error) {
       entry.problem = error.what();  // one broken file must not hide the others

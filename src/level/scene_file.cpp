@@ -9,6 +9,9 @@
 
 #include "base/error.h"
 #include "level/level_fields.h"
+#include "optics/cylinder.h"
+#include "optics/plane.h"
+#include "optics/sphere.h"
 
 namespace anamorph {
 namespace {
@@ -78,7 +81,7 @@ bool isMesh(const SceneObject& object) {
 }
 
 struct TakeMirror {
-  MirrorShape& shape;
+  Shape& shape;
   template <typename Object>
   void operator()(const Object& object) const {
     shape = object.mirror;
@@ -108,7 +111,7 @@ Level readThesisScene(const JsonValue& document, FieldReader::Context& context) 
   }
 
   Level level;
-  for (const SceneObject& object : scene.objects) std::visit(TakeMirror{level.optic.shape}, object);
+  for (const SceneObject& object : scene.objects) std::visit(TakeMirror{level.optic.shape()}, object);
   const Point position =
       std::get<SceneMesh>(*std::find_if(scene.objects.begin(), scene.objects.end(), isMesh)).position;
   level.original.shape = FileShape{};

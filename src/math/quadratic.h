@@ -18,4 +18,16 @@ inline std::optional<std::pair<double, double>> solveQuadratic(double a, double 
   return first < second ? std::pair{first, second} : std::pair{second, first};
 }
 
+/// The same for any a: a root that there is not (a = 0) is infinite. Nothing when they are complex, or when all
+/// t or none will do.
+inline std::optional<std::pair<double, double>> solveAnyQuadratic(double a, double halfB, double c) {
+  const double discriminant = halfB * halfB - a * c;
+  if (!(discriminant >= 0)) return std::nullopt;
+  const double q = -(halfB + std::copysign(std::sqrt(discriminant), halfB));
+  if (a == 0 && q == 0) return std::nullopt;
+  const double first = q / a;
+  const double second = q != 0 ? c / q : 0;
+  return first < second ? std::pair{first, second} : std::pair{second, first};
+}
+
 }  // namespace anamorph

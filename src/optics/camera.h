@@ -1,6 +1,5 @@
 // The RT camera: a pinhole at the eye. Its image has square pixels, origin top-left, pixel centres at +0.5;
-// the field of view is the vertical one. The pixel grid is the same image with few pixels, drawn in the scene
-// as a screen.
+// the field of view is the vertical one.
 #pragma once
 
 #include <optional>
@@ -15,11 +14,18 @@ struct Camera {
   Point target{0, 0, 0};
   Direction up{0, 0, 1};  ///< need not be perpendicular to the line of sight, nor of length 1
   double fovDegrees = 45;
-  int gridColumns = 8;
-  int gridRows = 8;
-  double screenDistance = 1;  ///< from the eye to the drawn pixel grid, scene units
 
   bool operator==(const Camera&) const = default;
+};
+
+/// The RT camera's image with few pixels, drawn in the scene as a screen. Its columns and rows are the proportions
+/// of every picture that the camera takes; where it is drawn changes nothing.
+struct PixelGrid {
+  int columns = 8;
+  int rows = 8;
+  double distance = 1;  ///< from the eye, scene units
+
+  bool operator==(const PixelGrid&) const = default;
 };
 
 /// A camera with an image size: turns pixels into rays and points into pixels.

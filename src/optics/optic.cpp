@@ -1,45 +1,96 @@
 #include "optics/optic.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/check.h"
 #include "optics/reflect.h"
 
 namespace anamorph {
 namespace {
 
-// As a share of the way travelled: far above rounding, far below what an image shows. A hit nearer than this
+// As a fraction of the way travelled: far above rounding, far below what an image shows. A hit nearer than this
 // is the point the ray starts from.
 constexpr double sameSurfaceGap = 1e-9;
 
+// What there is to know of each kind of part.
+struct KindTraits {
+  const char* surface;  // what messages call it
+  bool visible;
+};
+constexpr KindTraits traits[] = {{"mirror", true}, {"canvas", false}};
+
+const KindTraits& traitsOf(OpticKind kind) {
+  return traits[static_cast<int>(kind)];
+}
+
+bool canBend(const Optic& optic) {
+  return std::any_of(optic.parts.begin(), optic.parts.end(),
+                     [](const OpticPart& part) { return part.kind != OpticKind::canvas; });
+}
+
 }  // namespace
+
+bool isVisible(const Optic& optic) {
+  return std::any_of(optic.parts.begin(), optic.parts.end(),
+                     [](const OpticPart& part) { return traitsOf(part.kind).visible; });
+}
+
+const char* surfaceName(const Optic& optic) {
+  return traitsOf(optic.parts.front().kind).surface;
+}
+
+std::optional<OpticHit> intersect(const Optic& optic, const Ray& ray, double tMin) {
+  std::optional<OpticHit> nearest;
+  for (std::size_t part = 0; part < optic.parts.size(); ++part) {
+    const auto hit = intersect(optic.parts[part].shape, ray, tMin);
+    if (hit && !(nearest && nearest->t <= hit->t)) nearest = OpticHit{*hit, part};
+  }
+  return nearest;
+}
+
+Interaction interact(const Optic& optic, const Ray& ray, const OpticHit& hit) {
+  switch (optic.parts[hit.part].kind) {
+    case OpticKind::mirror:
+      return {reflect(ray.direction, hit.normal), true};
+    case OpticKind::canvas:
+      break;
+  }
+  return {ray.direction, false};
+}
 
 const char* pathStatusName(PathStatus status) {
   constexpr const char* names[] = {"mapped", "missesMirror", "inFrontOfMirror", "grazing", "hitsMirrorAgain"};
   return names[static_cast<int>(status)];
 }
 
-const char* surfaceName(const Optic& optic) {
-  return optic.kind == OpticKind::none ? "canvas" : "mirror";
-}
-
-OpticPath followRay(const Optic& optic, const Ray& ray) {
+OpticPath followRay(const Optic& optic, const Ray& sent) {
   OpticPath path;
-  const auto hit = intersect(optic.shape, ray);
-  if (!hit) return path;
-  path.points[0] = hit->point;
-  path.normals[0] = hit->normal;
-  path.pointCount = 1;
-  path.travelled = hit->t;
-  path.sine = -glm::dot(hit->normal, ray.direction) / glm::length(ray.direction);
-  path.exit = {hit->point,
-               optic.kind == OpticKind::none ? ray.direction : reflect(ray.direction, hit->normal)};
+  CHECK(optic.parts.size() <= OpticPath::maxPoints);
+  Ray ray = sent;
+  const double length = glm::length(sent.direction);
+  for (std::size_t part = 0; part < optic.parts.size(); ++part) {
+    const double tMin = part == 0 ? 0 : sameSurfaceGap * std::max(1.0, path.travelled);
+    const auto hit = intersect(optic, ray, tMin);
+    if (!hit || hit->part != part) {  // another part, or nothing, comes next: this is no way through
+      path.pointCount = 0;
+      return path;
+    }
+    const auto i = static_cast<std::size_t>(path.pointCount++);
+    const auto [direction, bends] = interact(optic, ray, *hit);
+    path.points[i] = hit->point;
+    path.normals[i] = hit->normal;
+    path.onward[i] = direction;
+    path.bends |= bends;
+    path.travelled += hit->t;
+    path.sine = std::min(path.sine, -glm::dot(hit->normal, ray.direction) / length);
+    ray = path.exit = {hit->point, direction};
+  }
   return path;
 }
 
 PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength) {
   if (path.pointCount == 0) return PathStatus::missesMirror;
-  if (optic.kind == OpticKind::none) {
+  if (!path.bends) {
     // Slid from before the canvas beyond the eye, where it is not seen.
     if (!(path.travelled + exitLength > 0)) return PathStatus::inFrontOfMirror;
     return path.sine < grazingSine ? PathStatus::grazing : PathStatus::mapped;
@@ -50,19 +101,30 @@ PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength
 }
 
 double freeLength(const Optic& optic, const OpticPath& path) {
-  if (optic.kind == OpticKind::none) return std::numeric_limits<double>::infinity();
-  const auto again = intersect(optic.shape, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
+  if (!path.bends) return std::numeric_limits<double>::infinity();
+  const auto again = intersect(optic, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
   return again ? again->t : std::numeric_limits<double>::infinity();
 }
 
-bool reversesHandedness(const Optic& optic) {
-  switch (optic.kind) {
-    case OpticKind::mirror:
-      return true;
-    case OpticKind::none:
-      return false;
-  }
-  return false;
+std::size_t exitPoints(const Optic& optic, const ExitBlock& block) {
+  CHECK(block.count <= exitBlockSize);
+  const bool oneMirror = optic.parts.size() == 1 && optic.parts.front().kind == OpticKind::mirror;
+  return oneMirror ? optic.shape()->exitPoints(block) : followNone(block);
+}
+
+LineOfSight lineOfSight(const Optic& optic, const Ray& ray) {
+  LineOfSight sight;
+  const OpticPath path = followRay(optic, ray);
+  sight.meets = path.pointCount > 0;
+  sight.last = ray;
+  if (!canBend(optic)) return sight;
+  sight.ends = !sight.meets;
+  if (sight.ends) return sight;
+  sight.bends = path.points;
+  sight.bendCount = path.pointCount;
+  sight.last = path.exit;
+  sight.length = freeLength(optic, path);
+  return sight;
 }
 
 }  // namespace anamorph

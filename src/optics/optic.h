@@ -1,38 +1,74 @@
-// The optic: what light passes on its way from the eye to the sculpture. A mirror of some shape, or no mirror
-// at all: then the surface is a canvas that light passes straight through. Glass, or several bounces, would
-// follow the same contract, because a path is a list of points and an exit ray.
+// The optic: what light passes on its way from the eye to the sculpture. An ordered list of parts, each a surface
+// and what it does to light: a mirror reflects, a canvas lets light pass. Glass, or several mirrors, follow the
+// same contract, because a path is a list of points and an exit ray.
 //
 //      E --------> Q0 (--> Q1 ...) = exit.origin --- exit.direction --->
 //
-// Without a mirror the sculpture's points slide along the view rays, S = Q + k (P - Q) = E + s (P - E): for a
-// small k they lie nearly in the canvas, which is perspective anamorphosis as on pavements (the thesis'
+// Where nothing bends the light the sculpture's points slide along the view rays, S = Q + k (P - Q) = E + s (P -
+// E): for a small k they lie nearly in the canvas, which is perspective anamorphosis as on pavements (the thesis'
 // figure 3). The canvas may be before or behind the original.
 //
 // Lengths along a path count in the length of the ray that was sent. A ray from the eye E towards a vertex P,
-// sent with direction P - E, has gone the share `travelled` of |EP| when it leaves the optic; the target is
+// sent with direction P - E, has gone the fraction `travelled` of |EP| when it leaves the optic; the target is
 // at 1. No square root is needed for that, and what is left of the way, 1 - travelled, is what the
 // sculpture's vertex is moved by.
 //
-// Anamorphosis (../anamorphosis) knows only this file and exit_points.h: it never asks what the optic is.
+// Anamorphosis (../anamorphosis) never asks what the optic is: what it needs to know a path tells.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
-#include "optics/mirror_shapes.h"
+#include "optics/shape.h"
 
 namespace anamorph {
 
+/// What a part does to light.
 enum class OpticKind {
   mirror,
-  none,  ///< no mirror: the shape is a canvas that nothing is reflected by
+  canvas,  ///< lets it pass, and nothing stands there: a surface that is only thought of
+};
+
+struct OpticPart {
+  OpticKind kind = OpticKind::mirror;
+  Shape shape;
+  bool operator==(const OpticPart&) const = default;
 };
 
 struct Optic {
-  OpticKind kind = OpticKind::mirror;
-  MirrorShape shape;
+  Optic() = default;
+  Optic(OpticKind kind, Shape shape) : parts{{kind, std::move(shape)}} {}
   bool operator==(const Optic&) const = default;
+
+  /// Of the first part, the one that is edited.
+  const Shape& shape() const { return parts.front().shape; }
+  Shape& shape() { return parts.front().shape; }
+
+  std::vector<OpticPart> parts{1};  ///< in the order in which light passes them; one at least
 };
+
+/// Whether it is a thing that stands there, to be seen and built.
+bool isVisible(const Optic& optic);
+
+/// What its surface is called in messages: "mirror", "canvas".
+const char* surfaceName(const Optic& optic);
+
+/// Where a ray meets the optic.
+struct OpticHit : SurfaceHit {
+  std::size_t part = 0;
+};
+
+/// The nearest hit of all parts at t > tMin; nothing when the ray misses.
+std::optional<OpticHit> intersect(const Optic& optic, const Ray& ray, double tMin = 0);
+
+/// What a part has done to a ray that met it.
+struct Interaction {
+  Vector direction{0};  ///< the ray's from there on, as long as before
+  bool bends = false;   ///< whether the ray was changed at all
+};
+Interaction interact(const Optic& optic, const Ray& ray, const OpticHit& hit);
 
 /// What became of a ray that was sent to a target point through the optic (method section 2).
 enum class PathStatus : std::uint8_t {
@@ -47,34 +83,44 @@ constexpr int pathStatusCount = 5;
 /// The name in JSON and messages: "mapped", "missesMirror", ...
 const char* pathStatusName(PathStatus status);
 
-/// sin(1 degree): a ray flatter than this grazes.
-constexpr double grazingSine = 0.017452406437283512;
-
 struct OpticPath {
-  static constexpr int maxPoints = 4;
+  static constexpr int maxPoints = 12;
 
-  std::array<Point, maxPoints> points{};       ///< where it meets the optic, in order
-  std::array<Direction, maxPoints> normals{};  ///< unit, towards the incoming ray
-  int pointCount = 0;                          ///< 0: it misses
+  std::array<Point, maxPoints> points;       ///< where it meets the optic, in order
+  std::array<Direction, maxPoints> normals;  ///< unit, towards the incoming ray
+  std::array<Vector, maxPoints> onward;      ///< the ray after each point, as long as the ray sent
+  int pointCount = 0;                        ///< 0: it misses
+  bool bends = false;                        ///< whether anything has changed its direction
   double travelled = 0;  ///< from the origin to the last point, in lengths of the ray sent
   double sine = 1;       ///< of the angle between ray and surface, the smallest of all points
   Ray exit;              ///< from the last point, as long as the ray sent; undefined for a miss
 };
 
-/// What its surface is called in messages: "mirror", "canvas".
-const char* surfaceName(const Optic& optic);
-
-/// Follows a ray (direction of any length > 0) through the optic.
+/// Follows a ray (direction of any length > 0) through the parts in their order.
 OpticPath followRay(const Optic& optic, const Ray& ray);
 
 /// The status of a path to a target at distance 1 (in lengths of the ray sent) when it goes `exitLength`
 /// beyond the optic.
 PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength);
 
-/// How far the exit ray goes before it meets the optic again, in its own length; infinite when it never does.
+/// How far the exit ray goes before it meets the optic again, in its own length; infinite when it never does, or
+/// when nothing has bent it.
 double freeLength(const Optic& optic, const OpticPath& path);
 
-/// Whether the image is mirrored, so that triangles have to be turned around: true for one reflection.
-bool reversesHandedness(const Optic& optic);
+/// The batch form of followRay, for rays from one eye (exit_kernel.h): writes, for each target, the point that lies
+/// depthScale * (1 - travelled) along its exit ray. Returns how many are plain.
+std::size_t exitPoints(const Optic& optic, const ExitBlock& block);
+
+/// How something behind the optic is seen along a ray from the eye.
+struct LineOfSight {
+  bool meets = false;  ///< whether the ray meets the optic at all
+  bool ends = false;   ///< it is bent away, and there is no way on: nothing is seen behind the optic
+  std::array<Point, OpticPath::maxPoints> bends;  ///< between the eye and `last`, where it was bent
+  int bendCount = 0;
+  Ray last;                  ///< on which things are seen
+  double length = std::numeric_limits<double>::infinity();  ///< of `last` until it meets the optic again
+};
+/// Where nothing bends light, things are seen along the ray itself, whether it meets the canvas or not.
+LineOfSight lineOfSight(const Optic& optic, const Ray& ray);
 
 }  // namespace anamorph

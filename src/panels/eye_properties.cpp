@@ -17,12 +17,12 @@ constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
 
 // Below the eye's place: what is wrong with it.
 std::string eyeProblem(const Level& level) {
-  const MirrorShape& mirror = level.optic.shape;
+  const Shape& mirror = level.optic.shape();
   return findShapeProblem(mirror) ? "" : findEyeProblem(mirror, level.camera.eye).value_or("");
 }
 
 void liftRow(Editor& editor, const UiState& ui) {
-  const auto& match = editor.updater.products().match;
+  const auto& match = editor.updater.result().match;
   const double hidden = match ? match->report.hiddenShare : 0;
   if (hidden > 0) {
     quietText(ui, fmt::format(fmt::runtime(tr("The sculpture hides {:.1f} % of its own reflection.")),
@@ -46,10 +46,10 @@ bool cameraRows(Editor& editor, const UiState& ui, Level& level) {
     liftRow(editor, ui);
   }
   if (section(ui, "Pixel grid")) {
-    changed |= integerRow("Columns", camera.gridColumns, limits::gridCells,
+    changed |= integerRow("Columns", level.grid.columns, limits::gridCells,
                           "Cells from left to right. Each is one pixel with its own ray.");
-    changed |= integerRow("Rows", camera.gridRows, limits::gridCells, "Cells from top to bottom.");
-    changed |= sliderRow("Distance", camera.screenDistance, {limits::gridDistance.panel, 0.01, "%.2f"},
+    changed |= integerRow("Rows", level.grid.rows, limits::gridCells, "Cells from top to bottom.");
+    changed |= sliderRow("Distance", level.grid.distance, {limits::gridDistance.panel, 0.01, "%.2f"},
                          "How far in front of the eye the grid is drawn. It only shows the image: nothing "
                          "else depends on it.");
   }

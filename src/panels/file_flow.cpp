@@ -51,7 +51,7 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
   const fs::path& path = editor.session.path();
   const bool own = !path.empty() && !editor.session.isInstalled();
   if (own && !editor.session.isThesisScene()) return path;
-  const fs::path name = path.empty() ? fs::path(fileNameOf(editor.session.level().title) + ".json")
+  const fs::path name = path.empty() ? fs::path(fileNameOf(editor.session.level().text->title) + ".json")
                                      : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
   return usualFolder(ui.browser) / name;

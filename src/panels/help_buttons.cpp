@@ -29,7 +29,7 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
 }  // namespace
 
 void fitOriginal(Editor& editor, UiState& ui) {
-  const auto& mesh = editor.updater.products().original.mesh;
+  const auto& mesh = editor.updater.result().original.mesh;
   if (!mesh) return;
   editor.session.finishChange();
   if (auto fitted = originalFittedToMirror(editor.session.level(), mesh->positions)) {
@@ -46,7 +46,7 @@ void fitButton(Editor& editor, UiState& ui) {
   if (wideButton(
           "Fit to the mirror",
           "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
-          editor.updater.products().original.mesh != nullptr)) {
+          editor.updater.result().original.mesh != nullptr)) {
     fitOriginal(editor, ui);
   }
 }
@@ -65,7 +65,7 @@ void behindButton(Editor& editor) {
 void startLift(Editor& editor) {
   editor.session.finishChange();
   editor.job.start(editor.session, tr("Lifting the eye"),
-                   [mesh = editor.updater.products().original.mesh](
+                   [mesh = editor.updater.result().original.mesh](
                        const Level& level, const Progress& progress) { return lift(level, mesh, progress); });
 }
 
@@ -82,7 +82,7 @@ void liftButton(Editor& editor) {
                  "The sculpture may stand in its own way. The eye goes up around the original, at the same "
                  "distance, "
                  "as little as is needed.",
-                 editor.updater.products().original.mesh != nullptr)) {
+                 editor.updater.result().original.mesh != nullptr)) {
     startLift(editor);
   }
 }

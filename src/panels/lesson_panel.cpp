@@ -95,9 +95,9 @@ void drawLesson(Editor& editor, UiState& ui) {
 
 void drawDescription(Editor& editor, UiState& ui) {
   const Level& level = editor.session.level();
-  title(ui, level.title.empty() ? "A level without a title" : level.title);
-  paragraph(tr(level.description));
-  if (level.title.empty()) quietText(ui, "Give it one in the tab View.");
+  title(ui, level.text->title.empty() ? "A level without a title" : level.text->title);
+  paragraph(tr(level.text->description));
+  if (level.text->title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
   if (wideButton("Reset the level", "As it was opened. Can be undone.",
                  isEnabled(Action::resetLevel, editor, ui))) {

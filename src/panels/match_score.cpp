@@ -20,7 +20,7 @@ std::string percent(double fraction, int digits = 2) {
 
 }  // namespace
 
-MatchScore matchScore(const Products& products) {
+MatchScore matchScore(const LevelResult& products) {
   MatchScore score;
   if (products.problem) {
     score.percent = "0 %";

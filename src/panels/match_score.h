@@ -29,7 +29,7 @@ struct MatchScore {
   std::vector<MatchPart> parts;
 };
 
-MatchScore matchScore(const Products& products);
+MatchScore matchScore(const LevelResult& products);
 /// "match 99.95 %  excellent", in the chosen language.
 std::string scoreText(const MatchScore& score);
 ImVec4 scoreColor(const MatchScore& score, Theme theme);

@@ -111,7 +111,7 @@ void smallButton(Action action, Editor& editor, UiState& ui) {
 }
 
 void rightEnd(Editor& editor, UiState& ui) {
-  const MatchScore score = matchScore(editor.updater.products());
+  const MatchScore score = matchScore(editor.updater.result());
   const std::string text = scoreText(score);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;

@@ -1,6 +1,14 @@
 // The mirror, or the canvas in its place: shape, place, look.
 
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/language.h"
 #include "edit/replacements.h"
+#include "optics/shape_table.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -10,59 +18,81 @@ namespace {
 constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
 constexpr NumberRange lengths{limits::lengths, 0.01, "%.2f"};
 
-struct ShapeRows {
-  bool operator()(PlaneMirror& plane) const {
-    constexpr const char* names[] = {"Corner 1", "Corner 2", "Corner 3", "Corner 4"};
-    bool changed = false;
-    for (int i = 0; i < 4; ++i) {
-      changed |= vectorRow(names[i], plane.corners[i], coordinates,
-                           "The four corners have to lie in one plane, in order around it.");
+// Rows of a shape's fields; a panel has its sizes first and then its points.
+class ShapeRows : public ShapeFields {
+ public:
+  enum class Part { sizes, points };
+  explicit ShapeRows(Part part) : part_(part) {}
+
+  void length(const FieldName& name, double& value) override {
+    if (part_ != Part::sizes) return;
+    const NumberRange range =
+        name.mayBeZero ? NumberRange{limits::lengthsOrZero, lengths.speed, lengths.format} : lengths;
+    changed |= numberRow(name.label, value, range, name.help);
+  }
+  void distance(const FieldName& name, const Point& from, Point& to) override {
+    if (part_ != Part::sizes) return;
+    const double old = glm::length(to - from);
+    double now = old;
+    if (!numberRow(name.label, now, lengths, name.help)) return;
+    to = from + now * (old > 0 ? (to - from) / old : Vector(0, 0, 1));
+    changed = true;
+  }
+  void point(const FieldName& name, Point& value) override {
+    if (part_ == Part::points) changed |= vectorRow(name.label, value, coordinates, name.help);
+  }
+  void points(const FieldName& name, std::span<Point> values) override {
+    if (part_ != Part::points) return;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string label = fmt::format("{} {}", tr(name.label), i + 1);
+      changed |= vectorRow(label.c_str(), values[i], coordinates, name.help);
     }
-    return changed;
   }
-  bool operator()(CylinderMirror& cylinder) const {
-    bool changed = numberRow("Radius", cylinder.radius, lengths);
-    double height = glm::length(cylinder.top - cylinder.bottom);
-    if (numberRow("Height", height, lengths, "The bottom stays where it is.")) {
-      const double old = glm::length(cylinder.top - cylinder.bottom);
-      const Vector axis = old > 0 ? (cylinder.top - cylinder.bottom) / old : Vector(0, 0, 1);
-      cylinder.top = cylinder.bottom + height * axis;
-      changed = true;
-    }
-    changed |= vectorRow("Bottom", cylinder.bottom, coordinates, "The lower end of the axis.");
-    changed |= vectorRow("Top", cylinder.top, coordinates, "The upper end of the axis.");
-    return changed;
-  }
-  bool operator()(SphereMirror& sphere) const {
-    bool changed = numberRow("Radius", sphere.radius, lengths);
-    changed |= vectorRow("Centre", sphere.centre, coordinates);
-    return changed;
-  }
+
+  bool changed = false;
+
+ private:
+  Part part_;
 };
+
+bool shapeRows(Shape& shape) {
+  ShapeRows sizes(ShapeRows::Part::sizes), points(ShapeRows::Part::points);
+  visitFields(shape, sizes);
+  visitFields(shape, points);
+  return sizes.changed || points.changed;
+}
+
+bool shapeChoice(Shape& shape, const Point& eye) {
+  std::vector<const char*> labels;
+  for (const ShapeType& type : shapeTypes()) labels.push_back(type.label);
+  const int old = static_cast<int>(shapeIndex(shape));
+  int chosen = old;
+  if (!choiceRow("Shape", chosen, labels,
+                 "Another one has the same middle, and is as large as fits the old one.") ||
+      chosen == old) {
+    return false;
+  }
+  shape = mirrorOfKind(static_cast<std::size_t>(chosen), shape, eye);
+  return true;
+}
 
 }  // namespace
 
 void drawMirrorProperties(Editor& editor, UiState& ui) {
   Level level = editor.session.level();
-  MirrorShape& shape = level.optic.shape;
+  Shape& shape = level.optic.shape();
   bool changed = false;
-  bool reflects = level.optic.kind == OpticKind::mirror;
+  bool reflects = isVisible(level.optic);
   if (section(ui, reflects ? "Mirror" : "Canvas")) {
     if (checkRow(
             "Reflects", reflects,
             "Off: no mirror but a canvas that light passes. The sculpture's points slide along the view rays "
             "towards it: perspective anamorphosis.")) {
-      level.optic.kind = reflects ? OpticKind::mirror : OpticKind::none;
+      level.optic.parts.front().kind = reflects ? OpticKind::mirror : OpticKind::canvas;
       changed = true;
     }
-    int kind = static_cast<int>(shape.index());
-    if (choiceRow("Shape", kind, {"Plane", "Cylinder", "Sphere"},
-                  "Another one has the same middle, and is as large as fits the old one.") &&
-        kind != static_cast<int>(shape.index())) {
-      shape = mirrorOfKind(static_cast<std::size_t>(kind), shape, level.camera.eye);
-      changed = true;
-    }
-    changed |= std::visit(ShapeRows{}, shape);
+    changed |= shapeChoice(shape, level.camera.eye);
+    changed |= shapeRows(shape);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
   if (reflects && section(ui, "Look", false)) {

@@ -66,7 +66,7 @@ bool shapeRows(Editor& editor, UiState& ui, Level& level) {
     return true;
   }
   const bool changed = std::visit(ShapeRows{}, shape);
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   if (!products.original.mesh && products.problem) problemText(ui, *products.problem);  // it cannot be read
   if (wideButton(
           isFile ? "Another mesh..." : "A mesh from a file...",
@@ -77,7 +77,7 @@ bool shapeRows(Editor& editor, UiState& ui, Level& level) {
 }
 
 // How many of its vertices are not mapped, most frequent reason first.
-std::string missedText(const Products& products) {
+std::string missedText(const LevelResult& products) {
   if (!products.sculpture.sculpture) return "";
   const StatusCounts& counts = products.sculpture.sculpture->originalStatus;
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -108,7 +108,7 @@ void drawOriginalProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Original")) changed |= shapeRows(editor, ui, level);
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
-    problemText(ui, missedText(editor.updater.products()));
+    problemText(ui, missedText(editor.updater.result()));
     fitButton(editor, ui);
     behindButton(editor);
   }

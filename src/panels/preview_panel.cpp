@@ -22,8 +22,8 @@ ImTextureID idOf(const UiTexture& texture) {
 }
 
 // The largest rectangle of the image's proportions in what is left of the panel.
-Rect imageRect(const Camera& camera, const ImVec2& at, const ImVec2& room) {
-  const float aspect = static_cast<float>(camera.gridColumns) / static_cast<float>(camera.gridRows);
+Rect imageRect(const PixelGrid& grid, const ImVec2& at, const ImVec2& room) {
+  const float aspect = static_cast<float>(grid.columns) / static_cast<float>(grid.rows);
   const float width = std::max(1.0f, std::min(room.x, room.y * aspect)),
               height = std::max(1.0f, width / aspect);
   return {at.x + (room.x - width) / 2, at.y, width, height};
@@ -35,22 +35,21 @@ void drawPicture(const UiTexture& texture, const Rect& r, float from = 0, float 
                                        {r.x + to * r.width, r.y + r.height}, {from, 0}, {to, 1});
 }
 
-void drawCell(const Rect& r, const Camera& camera, const GridCell& cell, ImU32 color, float thickness) {
-  const float w = r.width / static_cast<float>(camera.gridColumns),
-              h = r.height / static_cast<float>(camera.gridRows);
+void drawCell(const Rect& r, const PixelGrid& grid, const GridCell& cell, ImU32 color, float thickness) {
+  const float w = r.width / static_cast<float>(grid.columns), h = r.height / static_cast<float>(grid.rows);
   const float x = r.x + w * static_cast<float>(cell.column), y = r.y + h * static_cast<float>(cell.row);
   ImGui::GetWindowDrawList()->AddRect({x, y}, {x + w, y + h}, color, 0, 0, thickness);
 }
 
 // Hover outlines a cell of the pixel grid, a click isolates its rays, a second click shows all again.
 void pickCell(Editor& editor, UiState& ui, const Rect& r) {
-  const Camera& camera = editor.session.level().camera;
+  const PixelGrid& grid = editor.session.level().grid;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const GridCell cell{
-      std::clamp(static_cast<int>((mouse.x - r.x) / r.width * static_cast<float>(camera.gridColumns)), 0,
-                 camera.gridColumns - 1),
-      std::clamp(static_cast<int>((mouse.y - r.y) / r.height * static_cast<float>(camera.gridRows)), 0,
-                 camera.gridRows - 1)};
+      std::clamp(static_cast<int>((mouse.x - r.x) / r.width * static_cast<float>(grid.columns)), 0,
+                 grid.columns - 1),
+      std::clamp(static_cast<int>((mouse.y - r.y) / r.height * static_cast<float>(grid.rows)), 0,
+                 grid.rows - 1)};
   ui.hoveredCell = cell;
   if (!ImGui::IsItemClicked(0)) return;
   editor.cell = editor.cell == cell ? std::nullopt : std::optional(cell);
@@ -90,11 +89,11 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
       drawWipe(editor, ui, r);
       return;
   }
-  const Camera& camera = editor.session.level().camera;
+  const PixelGrid& grid = editor.session.level().grid;
   ui.hoveredCell.reset();
   if (hovered) pickCell(editor, ui, r);
-  if (ui.hoveredCell) drawCell(r, camera, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
-  if (editor.cell) drawCell(r, camera, *editor.cell, ink::of(palette::chosenCell), 2.5f);
+  if (ui.hoveredCell) drawCell(r, grid, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
+  if (editor.cell) drawCell(r, grid, *editor.cell, ink::of(palette::chosenCell), 2.5f);
 }
 
 // `parts`: they are shown below; else the tooltip has them.
@@ -175,7 +174,7 @@ void drawPreviewPanel(Editor& editor, UiState& ui) {
   if (segmentedControl("tabs", tab, {"Reflection", "Original", "Difference", "Wipe"}, 4)) {
     editor.preview.tab = static_cast<PreviewTab>(tab);
   }
-  const MatchScore score = matchScore(editor.updater.products());
+  const MatchScore score = matchScore(editor.updater.result());
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
   const bool parts = havePartsRoom(ui, score, room);
@@ -183,7 +182,7 @@ void drawPreviewPanel(Editor& editor, UiState& ui) {
   if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  drawImages(editor, ui, imageRect(editor.session.level().camera, at, room));
+  drawImages(editor, ui, imageRect(editor.session.level().grid, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
   scoreBar(ui, score, parts);
   if (parts) scoreParts(ui, score);

@@ -13,7 +13,7 @@ void drawPropertiesPanel(Editor& editor, UiState& ui) {
   followSelection(ui.tabs, editor.selection);
   if (!beginPanel("properties", ui.layout.properties)) return;
   int tab = static_cast<int>(ui.tabs.open);
-  const bool reflects = editor.session.level().optic.kind == OpticKind::mirror;
+  const bool reflects = isVisible(editor.session.level().optic);
   const char* optic = reflects ? "Mirror" : "Canvas";
   if (segmentedControl("tabs", tab, {"Eye", "Original", optic, "Sculpture", "Lights", "Rays", "View"}, 4)) {
     openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab));

@@ -57,7 +57,7 @@ bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
 }
 
 void resultRows(const Editor& editor) {
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   if (!products.sculpture.sculpture) return;
   const Mesh& mesh = products.sculpture.sculpture->mesh;
   const Box box = boundingBox(mesh.positions);

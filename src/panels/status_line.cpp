@@ -11,14 +11,14 @@
 namespace anamorph {
 namespace {
 
-std::string stateText(const Products& products) {
+std::string stateText(const LevelResult& products) {
   if (products.problem) return tr("no sculpture");
   if (!products.sculpture.sculpture) return tr("loading");
   if (!products.refined) return tr("following, not refined");
   return tr(products.complete ? "refined and matched" : "refined, matching");
 }
 
-std::string figures(const UiState& ui, const Products& products) {
+std::string figures(const UiState& ui, const LevelResult& products) {
   std::string text;
   if (products.sculpture.sculpture) {
     const Mesh& mesh = products.sculpture.sculpture->mesh;
@@ -60,7 +60,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   const bool shown = beginPanel("status", rect, true, false);
   ImGui::PopStyleVar();
   if (!shown) return;
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   const std::string state = stateText(products);
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !products.complete && !ui.headless) progress(editor, ui);

@@ -15,7 +15,7 @@ namespace {
 std::string leftTitles(const Editor& editor) {
   std::string titles;
   for (const auto& [path, level] : editor.leftLevels) {
-    titles += (titles.empty() ? "" : ", ") + tr(level.title.empty() ? path.stem().string() : level.title);
+    titles += (titles.empty() ? "" : ", ") + tr(level.text->title.empty() ? path.stem().string() : level.text->title);
   }
   return titles;
 }
@@ -24,7 +24,7 @@ enum class Answer { none = -1, save, drop, cancel };
 
 void aboutThisLevel(const Editor& editor, const Look& look) {
   const Level& level = editor.session.level();
-  const std::string title = level.title.empty() ? std::string(tr("This level")) : tr(level.title);
+  const std::string title = level.text->title.empty() ? std::string(tr("This level")) : tr(level.text->title);
   paragraph(fmt::format(
       fmt::runtime(tr("\"{}\" has changes that are not saved. Without saving they are lost.")), title));
   if (editor.session.isInstalled()) {

@@ -181,8 +181,8 @@ void drawAxes(const Ink& ink, const Rect& rect) {
 // While the view is the RT camera's: the border of its image, and all beside it dimmed.
 void drawImageFrame(const Ink& ink, const Editor& editor, const Rect& rect) {
   if (!editor.lookingThrough || editor.flight) return;
-  const Camera& camera = editor.session.level().camera;
-  const double imageAspect = double(camera.gridColumns) / camera.gridRows;
+  const PixelGrid& grid = editor.session.level().grid;
+  const double imageAspect = double(grid.columns) / grid.rows;
   const double half = std::min(0.5 * rect.height * imageAspect, 0.5 * rect.width);
   const float w = static_cast<float>(half), h = static_cast<float>(half / imageAspect);
   const float cx = rect.x + rect.width / 2, cy = rect.y + rect.height / 2;

@@ -165,8 +165,8 @@ ShownGizmo currentGizmo(const Editor& editor, const Look& look) {
 
 Pick pickAt(Editor& editor, const Look& look, const Pixel& pixel) {
   const PreparedSculpture shown = shownSculpture(editor);
-  return pick({projectionOf(editor), editor.updater.products().level, editor.updater.products().original,
-               shown, editor.display, editor.selection, look.scale},
+  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original, shown,
+               editor.display, editor.selection, look.scale},
               pixel);
 }
 

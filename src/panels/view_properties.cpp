@@ -22,9 +22,12 @@ void languageRow(UiState& ui) {
 
 void levelWords(Editor& editor) {
   Level level = editor.session.level();
-  bool changed = textFieldRow("Title", level.title);
-  changed |= textFieldRow("Description", level.description, 4, "Shown when the level has no lesson.");
-  if (changed) editor.session.change(std::move(level));
+  LevelText text = *level.text;
+  bool changed = textFieldRow("Title", text.title);
+  changed |= textFieldRow("Description", text.description, 4, "Shown when the level has no lesson.");
+  if (!changed) return;
+  level.text = std::move(text);
+  editor.session.change(std::move(level));
 }
 
 }  // namespace

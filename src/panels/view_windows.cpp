@@ -60,7 +60,7 @@ void repairButtons(Editor& editor, UiState& ui) {
   if (!(outside == level)) {
     if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(outside);
     ImGui::SameLine();
-  } else if (!findShapeProblem(level.optic.shape)) {
+  } else if (!findShapeProblem(level.optic.shape())) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
       if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);
@@ -110,7 +110,7 @@ void drawViewButtons(Editor& editor, UiState& ui) {
 }
 
 void drawProblem(Editor& editor, UiState& ui) {
-  const auto& problem = editor.updater.products().problem;
+  const auto& problem = editor.updater.result().problem;
   if (!problem) return;
   beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
   {
@@ -140,7 +140,7 @@ void drawLegend(const Editor& editor, const UiState& ui) {
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
   const auto add = [&](RayKind kind) { legendLine(ui, lookOf(kind).line); };
   add(RayKind::camera);
-  const bool reflects = editor.session.level().optic.kind == OpticKind::mirror;
+  const bool reflects = isVisible(editor.session.level().optic);
   if (reflects) add(RayKind::reflected);
   if (editor.point && reflects) legendLine(ui, normalLook);
   if (editor.rays.lightRays) {

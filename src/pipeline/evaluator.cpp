@@ -1,58 +1,65 @@
 #include "pipeline/evaluator.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "pipeline/original.h"
 
 namespace anamorph {
 namespace {
 
-// For what a stage was cancelled in: thrown through Memo so that nothing half-made is kept, caught in
-// settle().
+// For what a stage was cancelled in: thrown through Memo so that nothing half-made is kept, caught below.
 struct Cancelled {};
+
+// A sculpture of which nothing can be seen.
+PreparedSculpture nothingOf(const StatusCounts& counts, int threads) {
+  Sculpture empty;
+  empty.originalStatus = counts;
+  return prepareSculpture(std::move(empty), threads);
+}
 
 }  // namespace
 
-std::pair<int, int> pictureSize(const Camera& camera, int longerSide) {
-  const int columns = std::max(1, camera.gridColumns), rows = std::max(1, camera.gridRows);
-  if (longerSide <= 0) return {columns, rows};
-  const double scale = double(longerSide) / std::max(columns, rows);
-  return {std::max(1, int(std::lround(columns * scale))), std::max(1, int(std::lround(rows * scale)))};
-}
-
-bool Evaluator::deform(Settled& settled, int threads, const Progress& progress) {
-  const Level& level = settled.input.level;
-  settled.problem = findProblem(level, *settled.original.mesh);
-  if (settled.problem) {
-    settled.sculpture = prepareSculpture({}, threads);
-    return false;
+void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress& progress) {
+  const Level& level = result.level;
+  result.refined = true;
+  result.problem = findProblem(level, result.original.box);
+  if (result.problem) {
+    result.sculpture = nothingOf({}, threads);
+    return;
   }
-  const DeformInput input = makeDeformInput(level, settled.original.mesh);
-  settled.sculpture = sculpture_.get(input, [&](const DeformInput& in) {
-    Sculpture sculpture = makeSculpture(in, threads, progress);
+  result.sculpture = sculpture_.get(makeDeformInput(level, result.original.mesh), [&](const DeformInput& input) {
+    Sculpture sculpture = makeSculpture(input, threads, progress);
     if (progress.cancelled()) throw Cancelled();
     return prepareSculpture(std::move(sculpture), threads);
   });
-  const Sculpture& sculpture = *settled.sculpture.sculpture;
-  settled.problem = findEmptiness(sculpture);
-  if (!settled.problem) {
-    settled.warnings = findWarnings(level, sculpture);
-    return true;
+  const Sculpture& sculpture = *result.sculpture.sculpture;
+  result.problem = findEmptiness(sculpture);
+  if (!result.problem) {
+    result.warnings = findWarnings(level, result.sculpture);
+  } else if (!sculpture.mesh.triangles.empty()) {  // triangles without area
+    result.sculpture = nothingOf(sculpture.originalStatus, threads);
   }
-  if (!sculpture.mesh.triangles.empty()) {  // triangles without area
-    Sculpture empty;
-    empty.originalStatus = sculpture.originalStatus;
-    settled.sculpture = prepareSculpture(std::move(empty), threads);
-  }
-  return false;
 }
 
-Evaluator::SharedMatch Evaluator::match(const Settled& settled, int longerSide,
+std::optional<LevelResult> Evaluator::deform(const Level& level, std::shared_ptr<const Mesh> original,
+                                             int threads, const Progress& progress) {
+  LevelResult result;
+  result.level = level;
+  result.original = prepareMesh(std::move(original), threads);
+  try {
+    makeSculptureOf(result, threads, progress);
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  }
+  return result;
+}
+
+Evaluator::SharedMatch Evaluator::match(const LevelResult& result, int longerSide,
                                         Memo<MatchInput, SharedMatch>& memo, int threads,
                                         const Progress& progress) {
-  const auto [width, height] = pictureSize(settled.input.level.camera, longerSide);
-  return memo.get(makeMatchInput(settled.input.level, settled.original, settled.sculpture, width, height),
+  const auto [width, height] = pictureSize(result.level.grid, longerSide);
+  return memo.get(makeMatchInput(result.level, result.original, result.sculpture, width, height),
                   [&](const MatchInput& in) {
                     auto match = std::make_shared<const Match>(computeMatch(in, threads, progress));
                     if (progress.cancelled()) throw Cancelled();
@@ -60,9 +67,10 @@ Evaluator::SharedMatch Evaluator::match(const Settled& settled, int longerSide,
                   });
 }
 
-void Evaluator::takePictures(Settled& settled, int threads, const OnPart& onPart, const Progress& progress) {
-  const Level& level = settled.input.level;
-  const auto [width, height] = pictureSize(level.camera, settled.input.previewSize);
+void Evaluator::takePictures(LevelResult& result, int previewSize, int threads, const OnPart& onPart,
+                             const Progress& progress) {
+  const Level& level = result.level;
+  const auto [width, height] = pictureSize(level.grid, previewSize);
   const ImageRequest request = makeImageRequest(level, width, height, threads);
   const auto take = [&](SceneInput scene, Memo<PictureKey, SharedImage>& memo, SharedImage& picture,
                         const Progress& part) {
@@ -71,54 +79,65 @@ void Evaluator::takePictures(Settled& settled, int threads, const OnPart& onPart
           buildScene(key.scene), key.camera, key.request,
           [&](const Image& coarse, int) {
             picture = std::make_shared<const Image>(coarse);
-            if (onPart) onPart(settled);
+            if (onPart) onPart(result);
           },
           part);
       if (!image) throw Cancelled();
       return std::make_shared<const Image>(std::move(*image));
     });
-    if (onPart) onPart(settled);
+    if (onPart) onPart(result);
   };
-  take(makeReflectionScene(level, settled.sculpture), reflection_, settled.previews.reflection,
+  take(makeReflectionScene(level, result.sculpture), reflection_, result.previews.reflection,
        partOf(progress, 0, 0.7));
-  take(makeOriginalScene(level, settled.original), originalPicture_, settled.previews.original,
+  take(makeOriginalScene(level, result.original), originalPicture_, result.previews.original,
        partOf(progress, 0.7, 0.9));
-  if (settled.problem) return;  // there is nothing to compare
+  if (result.problem) return;  // there is nothing to compare
   const SharedMatch match =
-      this->match(settled, settled.input.previewSize, previewMatch_, threads, partOf(progress, 0.9, 1));
-  settled.previews.difference =
-      std::make_shared<const Image>(markDifferences(*settled.previews.original, *match));
+      this->match(result, previewSize, previewMatch_, threads, partOf(progress, 0.9, 1));
+  result.previews.difference =
+      std::make_shared<const Image>(markDifferences(*result.previews.original, *match));
 }
 
-std::optional<Settled> Evaluator::evaluate(const EvaluationInput& input, int threads, const OnPart& onPart,
-                                           const Progress& progress) {
-  Settled settled;
-  settled.input = input;
+std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int threads, const OnPart& onPart,
+                                               const Progress& progress, const LevelResult& shown) {
+  LevelResult result;
+  result.level = input.level;
+  result.match = shown.match;
+  result.previews = shown.previews;
   const Level& level = input.level;
   const auto tell = [&] {
-    if (onPart) onPart(settled);
+    if (onPart) onPart(result);
     if (progress.cancelled()) throw Cancelled();
   };
   try {
-    settled.shape = shape_.get({level.original.shape, input.levelPath},
-                               [](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath); });
+    result.shape = shape_.get({level.original.shape, input.levelPath},
+                              [](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath); });
     if (progress.cancelled()) return std::nullopt;
-    settled.original = original_.get(
-        {settled.shape, level.original.unitize, level.original.placement}, [&](const PlaceKey& key) {
+    result.original = original_.get(
+        {result.shape, level.original.unitize, level.original.placement}, [&](const PlaceKey& key) {
           return prepareMesh(placeOriginal(*key.shape, key.unitized, key.placement), threads);
         });
     if (!progress.update(0.15)) return std::nullopt;
-    const bool mapped = deform(settled, threads, partOf(progress, 0.15, 0.5));
+    makeSculptureOf(result, threads, partOf(progress, 0.15, 0.5));
+    if (result.problem) {
+      result.match = nullptr;
+      result.previews.difference = nullptr;
+    }
     tell();
-    if (mapped) settled.match = match(settled, matchSize, match_, threads, partOf(progress, 0.5, 0.6));
+    if (!result.problem) result.match = match(result, matchSize, match_, threads, partOf(progress, 0.5, 0.6));
     tell();
-    takePictures(settled, threads, onPart, partOf(progress, 0.6, 1));
+    takePictures(result, input.previewSize, threads, onPart, partOf(progress, 0.6, 1));
   } catch (const Cancelled&) {
     return std::nullopt;
   }
-  settled.complete = true;
-  if (onPart) onPart(settled);
-  return settled;
+  result.complete = true;
+  if (onPart) onPart(result);
+  return result;
+}
+
+std::optional<LevelResult> finishLevel(const Level& level, std::shared_ptr<const Mesh> original, int threads,
+                                       const Progress& progress) {
+  return Evaluator().deform(level, std::move(original), threads, progress);
 }
 
 }  // namespace anamorph

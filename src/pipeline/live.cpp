@@ -45,26 +45,20 @@ void turnNormals(const std::vector<glm::vec3>& from, const Vector& rotationDegre
 }
 
 // Of the original's own vertices.
-StatusCounts ownStatus(const Level& level, const Mesh& original, int threads) {
+StatusCounts ownStatus(const VertexMap& map, const Mesh& original, int threads) {
   MappedPoints mapped;
-  mapPointsThrough(level.optic, level.camera.eye, original.positions, level.sculpture.depthScale, mapped,
-                   threads, level.sculpture.mistakes);
+  mapPointsThrough(map, original.positions, mapped, threads);
   return countStatus(mapped.status);
 }
 
 }  // namespace
 
-// PathStatus is a byte, and 0 is mapped: what is not 0 is absent.
-std::span<const std::uint8_t> absentPoints(const std::vector<PathStatus>& status) {
-  const auto mapped = [](PathStatus s) { return s == PathStatus::mapped; };
-  if (std::all_of(status.begin(), status.end(), mapped)) return {};
-  return {reinterpret_cast<const std::uint8_t*>(status.data()), status.size()};
-}
-
 LiveOriginal::LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh placed)
     : shape_(std::move(shape)), start_(std::move(placed)) {
   CHECK(shape_->positions.size() == start_.mesh->positions.size());
-  prototype_ = {*start_.mesh, *start_.bvh, *start_.normals};
+  prototype_.sculpture.mesh = *start_.mesh;
+  prototype_.bvh = *start_.bvh;
+  prototype_.normals = *start_.normals;
   shapeNormals_ = computeNormals(shape_->positions, shape_->triangles, *start_.normalGroups);
 }
 
@@ -72,7 +66,8 @@ PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int 
   if (unitized && !unitized_) unitized_ = std::make_shared<const Mesh>(unitize(*shape_));
   const PointArray& from = unitized ? unitized_->positions : shape_->positions;
   const std::shared_ptr<MovingMesh> moving = ring_.take(prototype_);
-  PointArray& to = moving->mesh.positions;
+  Mesh& mesh = moving->sculpture.mesh;
+  PointArray& to = mesh.positions;
   const PlacementMap map(placement);
   parallelFor(from.size(), 8192, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) to.set(i, map(from[i]));
@@ -80,20 +75,19 @@ PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int 
   if (scalesEvenly(placement)) {
     turnNormals(shapeNormals_, placement.rotationDegrees, moving->normals);
   } else {
-    moving->normals = computeNormals(to, moving->mesh.triangles, *start_.normalGroups, threads);
+    moving->normals = computeNormals(to, mesh.triangles, *start_.normalGroups, threads);
   }
-  moving->bvh.refit(to, threads);
-  return {{moving, &moving->mesh}, {moving, &moving->bvh}, start_.normalGroups, {moving, &moving->normals}};
+  return finishMove(moving, start_.normalGroups, threads);
 }
 
 LiveSculpture::LiveSculpture(const PreparedMesh& original, const PreparedSculpture& settled)
     : ownTriangles_(!settled.sculpture || !isWhole(*settled.sculpture)) {
   if (ownTriangles_) {
     normalGroups_ = original.normalGroups;
-    prototype_ = {undeformed(*original.mesh), *original.bvh, *original.normals, nullptr};
+    prototype_ = {{undeformed(*original.mesh), *original.bvh, *original.normals}, nullptr};
   } else {
     normalGroups_ = settled.prepared.normalGroups;
-    prototype_ = {*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals, nullptr};
+    prototype_ = {{*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals}, nullptr};
     source_ = settled.sculpture->source;
     for (const VertexSource& source : source_) {
       sourceCorners_.push_back(original.mesh->triangles[source.triangle]);
@@ -115,30 +109,25 @@ void LiveSculpture::placeSources(const PointArray& original, PointArray& points)
   }
 }
 
-PreparedSculpture LiveSculpture::follow(const Level& level, const std::shared_ptr<const Mesh>& original,
+PreparedSculpture LiveSculpture::follow(const VertexMap& map, const std::shared_ptr<const Mesh>& original,
                                         int threads) {
-  const std::shared_ptr<Moving> moving = ring_.take(prototype_);
+  const std::shared_ptr<Buffer> buffer = ring_.take(prototype_);
+  const std::shared_ptr<MovingMesh> moving(buffer, &buffer->moving);
   Sculpture& sculpture = moving->sculpture;
-  if (moving->original != original) {
+  if (buffer->original != original) {
     placeSources(original->positions, sculpture.original);
-    moving->original = original;
+    buffer->original = original;
   }
-  const Point& eye = level.camera.eye;
-  const double depthScale = level.sculpture.depthScale;
-  remapSculpture(level.optic, eye, depthScale, sculpture.original, sculpture, threads,
-                 level.sculpture.mistakes);
-  sculpture.originalStatus = countStatus(sculpture.status);
-  if (!ownTriangles_) {
-    const std::size_t own = original->positions.size();
-    const auto absent = absentPoints(sculpture.status);
+  remapSculpture(map, sculpture, threads);
+  const bool whole = absentPoints(sculpture.status).empty();
+  if (ownTriangles_) {
+    sculpture.originalStatus = countStatus(sculpture.status);
+  } else {
     // The original's vertices are among those of the refined sculpture: all mapped when all of these are.
-    sculpture.originalStatus = absent.empty() ? StatusCounts{own} : ownStatus(level, *original, threads);
+    sculpture.originalStatus =
+        whole ? StatusCounts{original->positions.size()} : ownStatus(map, *original, threads);
   }
-  const Mesh& mesh = sculpture.mesh;
-  moving->normals = computeNormals(mesh.positions, mesh.triangles, *normalGroups_, threads);
-  moving->bvh.refit(mesh.positions, threads, absentPoints(sculpture.status));
-  return {{moving, &sculpture},
-          {{moving, &sculpture.mesh}, {moving, &moving->bvh}, normalGroups_, {moving, &moving->normals}}};
+  return finishSculptureMove(moving, normalGroups_, threads);
 }
 
 }  // namespace anamorph

@@ -5,25 +5,13 @@
 //   Level ----> LiveOriginal::place ----> LiveSculpture::follow ----> what the 3D view and the tracer show
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "pipeline/buffer_ring.h"
-#include "pipeline/stages.h"
+#include "pipeline/moving_mesh.h"
 
 namespace anamorph {
-
-/// A mesh that moves, with what moves along.
-struct MovingMesh {
-  Mesh mesh;
-  Bvh bvh;
-  std::vector<glm::vec3> normals;
-};
-
-/// For Bvh::refit, to leave out triangles with an unmapped corner. Valid as long as `status` is.
-std::span<const std::uint8_t> absentPoints(const std::vector<PathStatus>& status);
 
 class LiveOriginal {
  public:
@@ -49,16 +37,14 @@ class LiveSculpture {
   /// missing there that may come into view, and the original's own triangles are taken, unrefined.
   LiveSculpture(const PreparedMesh& original, const PreparedSculpture& settled);
 
-  /// The sculpture of a changed level without findProblem; `original` is placed, with the triangles of the
+  /// The sculpture of a changed map, for a level without findProblem; `original` is placed, with the triangles of the
   /// constructor's. Triangles with an unmapped corner are still in the mesh, but not in the tree: their
   /// corners' status tells. The winding is that of the triangles kept.
-  PreparedSculpture follow(const Level& level, const std::shared_ptr<const Mesh>& original, int threads);
+  PreparedSculpture follow(const VertexMap& map, const std::shared_ptr<const Mesh>& original, int threads);
 
  private:
-  struct Moving {
-    Sculpture sculpture;
-    Bvh bvh;
-    std::vector<glm::vec3> normals;
+  struct Buffer {
+    MovingMesh moving;
     std::shared_ptr<const Mesh> original;  // that sculpture.original was taken from
   };
   void placeSources(const PointArray& original, PointArray& points) const;
@@ -67,8 +53,8 @@ class LiveSculpture {
   std::vector<Triangle> sourceCorners_;  // of every vertex: the original's vertices around it
   std::vector<VertexSource> source_;
   std::shared_ptr<const NormalGroups> normalGroups_;
-  Moving prototype_;
-  BufferRing<Moving> ring_;
+  Buffer prototype_;
+  BufferRing<Buffer> ring_;
 };
 
 }  // namespace anamorph

@@ -1,5 +1,7 @@
 #include "pipeline/picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/check.h"
@@ -37,25 +39,20 @@ Image markDifferences(Image picture, const Match& match) {
   return picture;
 }
 
-std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
-                                         int threads, const Progress& progress) {
-  FinishedLevel finished{level, prepareMesh(std::move(original), threads), {}};
-  Sculpture sculpture;
-  if (!findProblem(level, *finished.original.mesh)) {
-    sculpture = makeSculpture(makeDeformInput(level, finished.original.mesh), threads, progress);
-  }
-  if (progress.cancelled()) return std::nullopt;
-  finished.sculpture = prepareSculpture(std::move(sculpture), threads);
-  return finished;
+std::pair<int, int> pictureSize(const PixelGrid& grid, int longerSide) {
+  const int columns = std::max(1, grid.columns), rows = std::max(1, grid.rows);
+  if (longerSide <= 0) return {columns, rows};
+  const double scale = double(longerSide) / std::max(columns, rows);
+  return {std::max(1, int(std::lround(columns * scale))), std::max(1, int(std::lround(rows * scale)))};
 }
 
-Match matchLevel(const FinishedLevel& finished, int width, int height, int threads,
+Match matchLevel(const LevelResult& result, int width, int height, int threads,
                  const Progress& progress) {
-  return computeMatch(makeMatchInput(finished.level, finished.original, finished.sculpture, width, height),
+  return computeMatch(makeMatchInput(result.level, result.original, result.sculpture, width, height),
                       threads, progress);
 }
 
-ImageRequest makeImageRequest(const Level& level, int width, int height, int threads) {
+ImageRequest makeImageRequest(const LevelScene& level, int width, int height, int threads) {
   ImageRequest request;
   request.width = width;
   request.height = height;
@@ -66,12 +63,12 @@ ImageRequest makeImageRequest(const Level& level, int width, int height, int thr
   return request;
 }
 
-std::optional<Image> makePicture(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+std::optional<Image> makePicture(const LevelResult& result, PictureKind kind, const ImageRequest& request,
                                  const Match* match, const Progress& progress) {
-  const Level& level = finished.level;
+  const Level& level = result.level;
   const bool reflection = kind == PictureKind::reflection;
-  const RenderScene scene = buildScene(reflection ? makeReflectionScene(level, finished.sculpture)
-                                                  : makeOriginalScene(level, finished.original));
+  const RenderScene scene = buildScene(reflection ? makeReflectionScene(level, result.sculpture)
+                                                  : makeOriginalScene(level, result.original));
   std::optional<Image> image = render(scene, level.camera, request, progress);
   if (!image || kind != PictureKind::difference) return image;
   CHECK(match != nullptr);

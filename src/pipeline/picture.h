@@ -2,8 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
-#include "pipeline/stages.h"
+#include "pipeline/level_result.h"
 #include "raytrace/image.h"
 #include "raytrace/render.h"
 
@@ -15,31 +16,23 @@ enum class PictureKind {
   difference,  ///< the original in grey, and in colour where the reflection does not agree with it
 };
 
-/// Everything that is known of a finished level.
-struct FinishedLevel {
-  Level level;
-  PreparedMesh original;
-  PreparedSculpture sculpture;
-};
+/// The image of the RT camera whose longer side has `longerSide` pixels; its sides are as the pixel grid's.
+/// 0: the pixel grid itself.
+std::pair<int, int> pictureSize(const PixelGrid& grid, int longerSide);
 
-/// From the level and its original in scene coordinates. Nothing when cancelled. Does not throw for what a
-/// student can set up: then the sculpture is empty, and findProblem and findEmptiness tell why.
-std::optional<FinishedLevel> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
-                                         int threads = 1, const Progress& progress = {});
-
-/// The match report of a finished level, for an image of this size.
-Match matchLevel(const FinishedLevel& finished, int width, int height, int threads = 1,
+/// The match report of a level that has a sculpture, for an image of this size.
+Match matchLevel(const LevelResult& result, int width, int height, int threads = 1,
                  const Progress& progress = {});
 
 /// The request the level asks for, at a size.
-ImageRequest makeImageRequest(const Level& level, int width, int height, int threads);
+ImageRequest makeImageRequest(const LevelScene& level, int width, int height, int threads);
 
 /// The difference picture, from the picture of the original and a match of the same size: grey where both
 /// agree, coloured where not.
 Image markDifferences(Image original, const Match& match);
 
 /// A picture; nothing when cancelled. `match` is needed for the difference only, of the picture's size.
-std::optional<Image> makePicture(const FinishedLevel& finished, PictureKind kind, const ImageRequest& request,
+std::optional<Image> makePicture(const LevelResult& result, PictureKind kind, const ImageRequest& request,
                                  const Match* match = nullptr, const Progress& progress = {});
 
 }  // namespace anamorph

@@ -11,7 +11,7 @@ namespace anamorph {
 namespace {
 
 MeshSurface surfaceOf(std::string name, const PreparedMesh& mesh, const Material& material) {
-  return {std::move(name), mesh.mesh, mesh.bvh, mesh.normalGroups, mesh.normals, material};
+  return {std::move(name), mesh.mesh, mesh.box, mesh.bvh, mesh.normalGroups, mesh.normals, material};
 }
 
 bool contains(const Box& box, const Point& p) {
@@ -37,6 +37,7 @@ PreparedMesh prepare(std::shared_ptr<const Mesh> mesh, const PointArray* shape, 
   prepared.normals = std::make_shared<const std::vector<glm::vec3>>(
       computeNormals(mesh->positions, mesh->triangles, groups, threads));
   prepared.normalGroups = std::make_shared<const NormalGroups>(std::move(groups));
+  prepared.box = boundingBox(mesh->positions);
   prepared.mesh = std::move(mesh);
   return prepared;
 }
@@ -85,13 +86,13 @@ const char* explainStatus(PathStatus status) {
   return tr("nothing is wrong");
 }
 
-std::optional<std::string> findProblem(const Level& level, const Mesh& original) {
-  if (auto problem = findShapeProblem(level.optic.shape)) {
-    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(level.optic.shape)),
+std::optional<std::string> findProblem(const LevelScene& level, const Box& box) {
+  const Shape& shape = level.optic.shape();
+  if (auto problem = findShapeProblem(shape)) {
+    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(shape)),
                        tr(surfaceName(level.optic)), *problem);
   }
-  if (auto problem = findEyeProblem(level.optic.shape, level.camera.eye)) return problem;
-  const Box box = boundingBox(original.positions);
+  if (auto problem = findEyeProblem(shape, level.camera.eye)) return problem;
   if (contains(box, level.camera.eye)) {
     return tr(
         "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
@@ -123,7 +124,8 @@ std::string shownStatus(const StatusCounts& counts) {
   return statusIn(counts, [](const char* english) { return tr(english); });
 }
 
-std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture) {
+std::vector<std::string> findWarnings(const LevelScene& level, const PreparedSculpture& prepared) {
+  const Sculpture& sculpture = *prepared.sculpture;
   std::vector<std::string> warnings;
   const StatusCounts& counts = sculpture.originalStatus;
   if (std::any_of(counts.begin() + 1, counts.end(), [](std::size_t count) { return count > 0; })) {
@@ -140,7 +142,7 @@ std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculp
                         "off; raise maxTriangles in the level, or the tolerance")),
         level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
   }
-  const double lowest = boundingBox(sculpture.mesh.positions).min.z;
+  const double lowest = prepared.prepared.box.min.z;
   if (level.ground.visible && lowest < level.ground.height - 1e-9) {
     warnings.push_back(fmt::format(
         fmt::runtime(tr("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
@@ -150,16 +152,18 @@ std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculp
   return warnings;
 }
 
-DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original) {
+VertexMap makeVertexMap(const LevelScene& level) {
+  return {level.optic, level.camera.eye, level.sculpture.depthScale, level.sculpture.mistakes};
+}
+
+DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> original) {
   DeformInput input;
   input.original = std::move(original);
-  input.optic = level.optic;
+  input.map = makeVertexMap(level);
   input.camera = level.camera;
   input.imageSize = level.sculpture.imageSize;
-  input.depthScale = level.sculpture.depthScale;
   input.tolerancePixels = level.sculpture.tolerancePixels;
   input.maxTriangles = level.sculpture.maxTriangles;
-  input.mistakes = level.sculpture.mistakes;
   return input;
 }
 
@@ -174,16 +178,16 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
   return {shared, prepare(mesh, &shared->original, threads)};
 }
 
-MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
+MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height) {
   return {original.mesh, original.bvh, sculpture.sculpture, sculpture.prepared.bvh, level.optic, level.camera,
           width,         height};
 }
 
-SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture) {
+SceneInput makeReflectionScene(const LevelScene& level, const PreparedSculpture& sculpture) {
   SceneInput scene;
   scene.surfaces.push_back(surfaceOf("sculpture", sculpture.prepared, level.sculpture.material));
-  if (level.optic.kind == OpticKind::mirror && !findShapeProblem(level.optic.shape)) {
+  if (isVisible(level.optic) && !findShapeProblem(level.optic.shape())) {
     scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
   }
   if (level.ground.visible) {
@@ -195,7 +199,7 @@ SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& scul
   return scene;
 }
 
-SceneInput makeOriginalScene(const Level& level, const PreparedMesh& original) {
+SceneInput makeOriginalScene(const LevelScene& level, const PreparedMesh& original) {
   SceneInput scene;
   scene.surfaces.push_back(surfaceOf("original", original, level.original.material));
   scene.lights = level.lights;

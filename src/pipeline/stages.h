@@ -23,6 +23,7 @@ struct PreparedMesh {
   std::shared_ptr<const Bvh> bvh;
   std::shared_ptr<const NormalGroups> normalGroups;
   std::shared_ptr<const std::vector<glm::vec3>> normals;
+  Box box;  ///< of its positions
 
   bool operator==(const PreparedMesh&) const = default;
 };
@@ -38,9 +39,9 @@ struct PreparedSculpture {
 /// and the last full stop.
 const char* explainStatus(PathStatus status);
 
-/// Why the level cannot be computed at all (a broken mirror, the eye inside it, the eye in the original), in
+/// Why the level cannot be computed at all (a broken mirror, the eye inside it, the eye in the original's box), in
 /// a sentence for the student; nothing when it can.
-std::optional<std::string> findProblem(const Level& level, const Mesh& original);
+std::optional<std::string> findProblem(const LevelScene& level, const Box& original);
 
 /// Why no triangle of the original that has an area has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
@@ -52,10 +53,13 @@ std::string shownStatus(const StatusCounts& counts);
 
 /// What is worth knowing of a sculpture that is not empty: vertices that are not mapped, a budget that was
 /// hit, parts below the ground.
-std::vector<std::string> findWarnings(const Level& level, const Sculpture& sculpture);
+std::vector<std::string> findWarnings(const LevelScene& level, const PreparedSculpture& sculpture);
+
+/// The map that the level's sculpture is made by.
+VertexMap makeVertexMap(const LevelScene& level);
 
 /// `original` is in scene coordinates.
-DeformInput makeDeformInput(const Level& level, std::shared_ptr<const Mesh> original);
+DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> original);
 
 PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
 
@@ -63,14 +67,14 @@ PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
 /// curved sculpture keeps them.
 PreparedSculpture prepareSculpture(Sculpture sculpture, int threads = 1);
 
-MatchInput makeMatchInput(const Level& level, const PreparedMesh& original,
+MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height);
 
 /// What the RT camera sees of the finished work: mirror, sculpture, ground; not the original. A broken mirror
 /// is left out.
-SceneInput makeReflectionScene(const Level& level, const PreparedSculpture& sculpture);
+SceneInput makeReflectionScene(const LevelScene& level, const PreparedSculpture& sculpture);
 
 /// The reference: the original alone, seen directly.
-SceneInput makeOriginalScene(const Level& level, const PreparedMesh& original);
+SceneInput makeOriginalScene(const LevelScene& level, const PreparedMesh& original);
 
 }  // namespace anamorph

@@ -15,38 +15,48 @@ namespace {
 // and well below a pixel.
 constexpr double relativeEpsilon = 1.0 / (1 << 18);
 
-void extendBy(Box& box, const PointArray& points) {
-  const Box other = boundingBox(points);
-  if (other.empty()) return;
+void extendBy(Box& box, const Box& other) {
+  if (other.empty() || !isFinite(other.min) || !isFinite(other.max)) return;
   box.extend(other.min);
   box.extend(other.max);
 }
 
 }  // namespace
 
-RenderScene buildScene(SceneInput input) {
-  RenderScene scene;
+SceneMeasure measureScene(const Box& box) {
+  SceneMeasure measure;
+  measure.epsilon = relativeEpsilon;
+  if (box.empty()) return measure;
+  measure.centre = box.centre();
+  const double radius = box.diagonal() / 2;
+  if (std::isfinite(radius) && radius > 0) measure.radius = radius;
+  const Vector farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+  measure.epsilon = relativeEpsilon * std::max({measure.radius, farthest.x, farthest.y, farthest.z});
+  return measure;
+}
+
+Box boxOf(const SceneInput& input) {
   Box box;
+  for (const MeshSurface& surface : input.surfaces) extendBy(box, surface.box);
+  if (!input.optic) return box;
+  for (const OpticPart& part : input.optic->optic.parts) extendBy(box, boxOf(part.shape));
+  return box;
+}
+
+RenderScene buildScene(SceneInput input) {
   for (const MeshSurface& surface : input.surfaces) {
     CHECK(surface.mesh && surface.bvh && !surface.normals == !surface.normalGroups);
-    extendBy(box, surface.mesh->positions);
   }
-  if (input.optic) extendBy(box, tessellate(input.optic->optic.shape).positions);
-  if (!box.empty()) {
-    scene.centre = box.centre();
-    const double radius = box.diagonal() / 2;
-    if (std::isfinite(radius) && radius > 0) scene.radius = radius;
-    const Vector farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
-    scene.epsilon = relativeEpsilon * std::max({scene.radius, farthest.x, farthest.y, farthest.z});
-  } else {
-    scene.epsilon = relativeEpsilon;
-  }
+  RenderScene scene{measureScene(boxOf(input)), {}};
   scene.input = std::move(input);
   return scene;
 }
 
 MeshSurface makeSurface(std::string name, Mesh mesh, const Material& material, double creaseDegrees) {
-  MeshSurface surface{std::move(name), nullptr, nullptr, nullptr, nullptr, material};
+  MeshSurface surface;
+  surface.name = std::move(name);
+  surface.material = material;
+  surface.box = boundingBox(mesh.positions);
   const auto groups = std::make_shared<const NormalGroups>(makeNormalGroups(mesh, creaseDegrees));
   surface.normals =
       std::make_shared<const std::vector<glm::vec3>>(computeNormals(mesh.positions, mesh.triangles, *groups));

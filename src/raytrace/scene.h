@@ -29,6 +29,7 @@ struct MeshSurface {
 
   std::string name;  ///< "sculpture", "original", ...
   std::shared_ptr<const Mesh> mesh;
+  Box box;                         ///< of its positions
   std::shared_ptr<const Bvh> bvh;  ///< of this mesh
   /// Shading normals, both or neither; without them the triangles are shaded flat.
   std::shared_ptr<const NormalGroups> normalGroups;
@@ -66,12 +67,22 @@ struct SceneInput {
   Background background;
 };
 
-/// A scene that is ready to be traced.
-struct RenderScene {
-  SceneInput input;
-  Point centre{0};     ///< of the box of the surfaces and the optic
+/// How large a scene is, taken once for the tracer and the 3D view: both fade the ground and lift rays by it.
+struct SceneMeasure {
+  Point centre{0};     ///< of the box of what stands there
   double radius = 1;   ///< of a sphere around that box; > 0
   double epsilon = 0;  ///< rays that leave a surface start this far above it
+
+  bool operator==(const SceneMeasure&) const = default;
+};
+SceneMeasure measureScene(const Box& box);
+
+/// The box of the surfaces and the optic.
+Box boxOf(const SceneInput& input);
+
+/// A scene that is ready to be traced.
+struct RenderScene : SceneMeasure {
+  SceneInput input;
 };
 
 /// Measures the scene. Every surface needs a mesh and its tree (CHECK).

@@ -64,11 +64,11 @@ std::optional<SceneHit> findHit(const RenderScene& scene, const Ray& ray, double
     if (hit) tMax = hit->t;
   }
   if (scene.input.optic) {
-    const auto surfaceHit = intersect(scene.input.optic->optic.shape, ray);
-    if (surfaceHit && surfaceHit->t < tMax) {
-      tMax = surfaceHit->t;
-      hit = SceneHit{{ObjectKind::optic, 0}, tMax, surfaceHit->point, surfaceHit->normal,
-                     surfaceHit->normal,     0};
+    const auto opticHit = intersect(scene.input.optic->optic, ray);
+    if (opticHit && opticHit->t < tMax) {
+      tMax = opticHit->t;
+      const ObjectId part{ObjectKind::optic, static_cast<int>(opticHit->part)};
+      hit = SceneHit{part, tMax, opticHit->point, opticHit->normal, opticHit->normal, 0};
     }
   }
   BvhHit nearest;
@@ -88,7 +88,7 @@ bool isBlocked(const RenderScene& scene, const Ray& ray, double tMax) {
     if (surface.bvh->anyHit(ray, 0, tMax)) return true;
   }
   if (scene.input.optic) {
-    const auto hit = intersect(scene.input.optic->optic.shape, ray);
+    const auto hit = intersect(scene.input.optic->optic, ray);
     if (hit && hit->t < tMax) return true;
   }
   return scene.input.ground && intersectGround(scene, ray, tMax);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <variant>
 
 namespace anamorph {
 namespace {
@@ -25,35 +23,6 @@ double lineCoverage(double x, double width, double footprint) {
   const double inside = std::clamp((0.5 * drawn - fromLine) / soft + 0.5, 0.0, 1.0);
   return inside * width / drawn;
 }
-
-double segmentDistance(const Point& p, const Point& a, const Point& b) {
-  const Vector edge = b - a;
-  const double squared = lengthSquared(edge);
-  const double s = squared > 0 ? std::clamp(glm::dot(p - a, edge) / squared, 0.0, 1.0) : 0;
-  return glm::length(p - (a + s * edge));
-}
-
-// Distance to the border of the finite surface as a share of its size; 1 when it has none.
-struct BorderDistance {
-  const Point& p;
-
-  double operator()(const PlaneMirror& plane) const {
-    double nearest = std::numeric_limits<double>::infinity(), size = 0;
-    for (int i = 0; i < 4; ++i) {
-      const Point &a = plane.corners[i], &b = plane.corners[(i + 1) % 4];
-      nearest = std::min(nearest, segmentDistance(p, a, b));
-      size = std::max(size, glm::length(b - a));
-    }
-    return nearest / size;
-  }
-  double operator()(const CylinderMirror& cylinder) const {
-    const Vector axis = cylinder.top - cylinder.bottom;
-    const double height = glm::length(axis);
-    const double along = glm::dot(p - cylinder.bottom, axis / height);
-    return std::min(along, height - along) / std::max(height, 2 * cylinder.radius);
-  }
-  double operator()(const SphereMirror&) const { return 1; }
-};
 
 }  // namespace
 
@@ -84,10 +53,10 @@ Material groundMaterial(const Ground& ground, const Point& point, double footpri
   return material;
 }
 
-double mirrorRim(const MirrorShape& shape, const Point& point, double cosine) {
+double mirrorRim(const Shape& shape, const Point& point, double cosine) {
   constexpr double edgeOnCosine = 0.22, borderWidth = 0.006;
   const double edgeOn = 1 - cosine / edgeOnCosine;
-  const double border = 2 - 2 * std::visit(BorderDistance{point}, shape) / borderWidth;
+  const double border = 2 - 2 * borderDistance(shape, point) / borderWidth;
   const double rim = std::clamp(std::max(edgeOn, border), 0.0, 1.0);
   return rim * rim * (3 - 2 * rim);
 }

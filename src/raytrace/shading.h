@@ -22,6 +22,6 @@ Color phongResponse(const Material& material, const SceneHit& hit, const Directi
 Material groundMaterial(const Ground& ground, const Point& point, double footprint);
 
 /// How much of the mirror's bright edge is seen here: 1 on its border and where it is seen edge-on, 0 inside.
-double mirrorRim(const MirrorShape& shape, const Point& point, double cosine);
+double mirrorRim(const Shape& shape, const Point& point, double cosine);
 
 }  // namespace anamorph

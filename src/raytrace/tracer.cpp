@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "optics/reflect.h"
 #include "raytrace/scene_hit.h"
 #include "raytrace/shading.h"
 
@@ -83,9 +82,10 @@ class Tracer {
 
   Color shadeMirror(const Passage& passage, const SceneHit& hit, int self) {
     const OpticSurface& surface = *scene_.input.optic;
-    const Direction out = glm::normalize(reflect(passage.ray.direction, hit.normal));
+    const OpticHit met{{hit.t, hit.point, hit.normal}, static_cast<std::size_t>(hit.object.index)};
+    const Direction out = glm::normalize(interact(surface.optic, passage.ray, met).direction);
     const double cosine = std::abs(glm::dot(passage.ray.direction, hit.normal));
-    const double rim = rimStrength * mirrorRim(surface.optic.shape, hit.point, cosine);
+    const double rim = rimStrength * mirrorRim(surface.optic.parts[met.part].shape, hit.point, cosine);
     const Color factor = (1 - rim) * surface.reflectance * surface.tint;
     const Color reflected = passage.depth < options_.maxDepth
                                 ? trace({leave(hit, out), RayKind::reflected, passage.depth + 1,

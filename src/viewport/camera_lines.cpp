@@ -11,8 +11,8 @@ namespace {
 // Image positions of the grid, in cells, to points of the screen.
 class Screen {
  public:
-  explicit Screen(const Camera& camera)
-      : projection_(camera, camera.gridColumns, camera.gridRows), distance_(camera.screenDistance) {}
+  Screen(const Camera& camera, const PixelGrid& grid)
+      : projection_(camera, grid.columns, grid.rows), distance_(grid.distance) {}
 
   Point at(double column, double row) const {
     const Ray ray = projection_.rayThrough({column, row});
@@ -26,12 +26,12 @@ class Screen {
 
 }  // namespace
 
-std::vector<Line> makeCameraLines(const Camera& camera, bool selected, const std::optional<GridCell>& cell,
-                                  const Point& viewEye) {
+std::vector<Line> makeCameraLines(const Camera& camera, const PixelGrid& grid, bool selected,
+                                  const std::optional<GridCell>& cell, const Point& viewEye) {
   std::vector<Line> lines;
-  if (glm::length(viewEye - camera.eye) < 0.5 * camera.screenDistance) return lines;
-  const Screen screen(camera);
-  const int columns = camera.gridColumns, rows = camera.gridRows;
+  if (glm::length(viewEye - camera.eye) < 0.5 * grid.distance) return lines;
+  const Screen screen(camera, grid);
+  const int columns = grid.columns, rows = grid.rows;
   const auto add = [&](const Point& from, const Point& to, const Color& color, double width, double alpha) {
     Line line;
     line.from = from;

@@ -33,7 +33,7 @@ std::optional<GpuSurface> selectedMesh(const Selection& selection) {
 Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots) {
   if (const auto mesh = selectedMesh(input.selection)) return slots[static_cast<int>(*mesh)].box;
   if (input.selection.part == Part::mirror) {
-    return boundingBox(tessellate(input.level.optic.shape).positions);
+    return boundingBox(tessellate(input.level.optic.shape()).positions);
   }
   const Point middle = input.level.lights[input.selection.index].position;
   const Vector radius(scene.sceneSize.z);

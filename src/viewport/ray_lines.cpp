@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "anamorphosis/vertex_ray.h"
+#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
@@ -86,44 +87,51 @@ void visitTrees(const std::vector<RayTree>& trees, std::optional<std::size_t> on
   }
 }
 
-std::vector<VertexRay> sampleVertexRays(const Level& level, const Mesh& original,
+std::vector<VertexRay> sampleVertexRays(const LevelScene& level, const Mesh& original,
                                         const RaySettings& settings) {
   std::vector<VertexRay> rays;
+  const VertexMap map = makeVertexMap(level);
   const std::size_t count = original.positions.size();
   const std::size_t wanted = std::min<std::size_t>(std::max(settings.vertexCount, 0), count);
   for (std::size_t i = 0; i < wanted; ++i) {
     // At the middle of each of `wanted` equal parts of the list.
     const std::size_t vertex = (2 * i + 1) * count / (2 * wanted);
-    rays.push_back(makeVertexRay(level.optic, level.camera.eye, original.positions[vertex],
-                                 level.sculpture.depthScale, level.sculpture.mistakes));
+    rays.push_back(makeVertexRay(map, original.positions[vertex]));
   }
   return rays;
 }
 
-// The two legs of a vertex ray, or the one that it has when it is not mapped.
-std::vector<Line> legsOf(const VertexRay& ray, const RaySettings& settings, bool passes) {
-  const bool mapped = ray.status == PathStatus::mapped;
-  if (!mapped && settings.hideNoHit) return {};
-  Line first = rayStyle(mapped ? RayKind::camera : RayKind::noHit), second = rayStyle(RayKind::reflected);
-  first.width = second.width = settings.thickness;
-  first.from = ray.eye;
-  if (!mapped) {
-    first.to = ray.status == PathStatus::missesMirror ? ray.eye + missLength * (ray.original - ray.eye)
-                                                      : ray.original;
-    return {first};
+// The straight pieces of a vertex ray, or the one that it has when it is not mapped.
+std::vector<Line> linesOf(const VertexRay& ray, const RaySettings& settings) {
+  if (!ray.mapped() && settings.hideNoHit) return {};
+  std::vector<Line> lines;
+  const auto add = [&](RayKind kind, const Point& from, const Point& to) {
+    Line line = rayStyle(kind);
+    line.from = from;
+    line.to = to;
+    line.width = settings.thickness;
+    lines.push_back(line);
+  };
+  if (!ray.mapped()) {
+    const double reach = ray.meets() ? 1 : missLength;
+    add(RayKind::noHit, ray.eye, ray.eye + reach * (ray.original - ray.eye));
+    return lines;
   }
-  if (passes) {  // nothing bends it
-    first.to = ray.sculpture;
-    return {first};
+  if (!ray.bends) {
+    add(RayKind::camera, ray.eye, ray.sculpture);
+    return lines;
   }
-  first.to = second.from = ray.mirror;
-  second.to = ray.sculpture;
-  return {first, second};
+  add(RayKind::camera, ray.eye, ray.legs.front().start);
+  for (std::size_t i = 0; i < ray.legs.size(); ++i) {
+    const bool last = i + 1 == ray.legs.size();
+    add(RayKind::reflected, ray.legs[i].start, last ? ray.sculpture : ray.legs[i + 1].start);
+  }
+  return lines;
 }
 
-double lengthOf(const std::vector<Line>& legs) {
+double lengthOf(const std::vector<Line>& lines) {
   double length = 0;
-  for (const Line& leg : legs) length += glm::length(leg.to - leg.from);
+  for (const Line& line : lines) length += glm::length(line.to - line.from);
   return length;
 }
 
@@ -170,13 +178,13 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
   return lines;
 }
 
-std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, const RaySettings& settings,
+std::vector<Line> makeVertexRayLines(const LevelScene& level, const Mesh& original, const RaySettings& settings,
                                      double seconds) {
   std::vector<Line> lines;
   double travelled = travelledIn(seconds, settings);
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
     double begin = 0;
-    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+    for (const Line& leg : linesOf(ray, settings)) {
       const double end = begin + glm::length(leg.to - leg.from);
       addPart(lines, leg, Stretch{begin, end}.fraction(travelled));
       begin = end;
@@ -197,10 +205,10 @@ double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings
   return secondsFor(settings.sequential ? sum : most, settings);
 }
 
-double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings) {
+double vertexRayAnimationSeconds(const LevelScene& level, const Mesh& original, const RaySettings& settings) {
   double most = 0, sum = 0;
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
-    const double length = lengthOf(legsOf(ray, settings, level.optic.kind == OpticKind::none));
+    const double length = lengthOf(linesOf(ray, settings));
     most = std::max(most, length);
     sum += length;
   }
@@ -222,13 +230,13 @@ std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const 
   return stopsAt(std::move(ways), settings);
 }
 
-std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
+std::vector<double> vertexRayAnimationStops(const LevelScene& level, const Mesh& original,
                                             const RaySettings& settings) {
   std::vector<double> ways;
   double begin = 0;
   for (const VertexRay& ray : sampleVertexRays(level, original, settings)) {
     double end = begin;
-    for (const Line& leg : legsOf(ray, settings, level.optic.kind == OpticKind::none)) {
+    for (const Line& leg : linesOf(ray, settings)) {
       end += glm::length(leg.to - leg.from);
       ways.push_back(end);
     }

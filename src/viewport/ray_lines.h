@@ -23,19 +23,19 @@ std::vector<Line> makeTreeLines(const std::vector<RayTree>& trees, const RaySett
 
 /// The vertex rays of `settings.vertexCount` vertices of the original (in scene coordinates), evenly over its
 /// list.
-std::vector<Line> makeVertexRayLines(const Level& level, const Mesh& original, const RaySettings& settings,
+std::vector<Line> makeVertexRayLines(const LevelScene& level, const Mesh& original, const RaySettings& settings,
                                      double seconds);
 
 /// How many seconds the animation of these takes; 0 when nothing moves.
 double treeAnimationSeconds(const std::vector<RayTree>& trees, const RaySettings& settings,
                             std::optional<std::size_t> only);
-double vertexRayAnimationSeconds(const Level& level, const Mesh& original, const RaySettings& settings);
+double vertexRayAnimationSeconds(const LevelScene& level, const Mesh& original, const RaySettings& settings);
 
 /// The seconds at which a piece of a ray ends, each once and in order: where an animation that is stepped by
 /// hand stops. The first is 0.
 std::vector<double> treeAnimationStops(const std::vector<RayTree>& trees, const RaySettings& settings,
                                        std::optional<std::size_t> only);
-std::vector<double> vertexRayAnimationStops(const Level& level, const Mesh& original,
+std::vector<double> vertexRayAnimationStops(const LevelScene& level, const Mesh& original,
                                             const RaySettings& settings);
 
 }  // namespace anamorph

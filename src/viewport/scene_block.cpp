@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 #include <glm/ext/vector_double4.hpp>
 
 #include "math/palette.h"
-#include "optics/plane_mirror.h"
+#include "optics/shape_table.h"
 #include "raytrace/scene.h"
 #include "raytrace/tracer.h"
 
@@ -36,35 +35,14 @@ ViewPose sound(ViewPose pose) {
   return pose;
 }
 
-/// The shape's part of the block; places relative to `origin`.
-struct MirrorPacker {
-  SceneBlock& block;
-  const Point& origin;
-
-  int operator()(const PlaneMirror& plane) const {
-    const Direction normal = planeNormal(plane);
-    double longest = 0;
-    for (int i = 0; i < 4; ++i) {
-      const Point &a = plane.corners[i], &b = plane.corners[(i + 1) % 4];
-      const Direction inward = glm::normalize(glm::cross(normal, b - a));
-      block.mirrorEdges[i] = pack(inward, glm::dot(inward, a - origin));
-      longest = std::max(longest, glm::length(b - a));
-    }
-    block.mirror = pack(plane.corners[0] - origin);
-    block.mirrorAxis = pack(normal, longest);
-    return 1;
-  }
-  int operator()(const CylinderMirror& cylinder) const {
-    const Vector axis = cylinder.top - cylinder.bottom;
-    block.mirror = pack(cylinder.bottom - origin, cylinder.radius);
-    block.mirrorAxis = pack(glm::normalize(axis), glm::length(axis));
-    return 2;
-  }
-  int operator()(const SphereMirror& sphere) const {
-    block.mirror = pack(sphere.centre - origin, sphere.radius);
-    return 3;
-  }
-};
+/// The shape's part of the block; places relative to `origin`. Returns its number in the shaders.
+int packMirror(SceneBlock& block, const Shape& shape, const Point& origin) {
+  const PackedShape data = shape->packed(origin);
+  block.mirror = data[0];
+  block.mirrorAxis = data[1];
+  for (std::size_t i = 0; i < block.mirrorEdges.size(); ++i) block.mirrorEdges[i] = data[2 + i];
+  return static_cast<int>(shapeIndex(shape)) + 1;
+}
 
 void packView(SceneBlock& block, const ViewportInput& input, const Point& origin, int width, int height,
               const Pixel& shift) {
@@ -101,7 +79,7 @@ void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasur
 }
 
 void packSurroundings(SceneBlock& block, const ViewportInput& input, const SceneMeasure& measure) {
-  const Level& level = input.level;
+  const LevelScene& level = input.level;
   const Background& background = input.display.background ? *input.display.background : level.background;
   const Ground ground;
   const Vector cells = measure.centre / ground.gridSpacing;
@@ -114,7 +92,7 @@ void packSurroundings(SceneBlock& block, const ViewportInput& input, const Scene
   block.groundMaterial = pack(ground.material);
 }
 
-int packLights(SceneBlock& block, const Level& level, const Point& origin) {
+int packLights(SceneBlock& block, const LevelScene& level, const Point& origin) {
   int count = 0;
   for (const PointLight& light : level.lights) {
     if (count == gpuLightLimit) break;
@@ -154,11 +132,12 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
 
 void packScreen(SceneBlock& block, const ViewportInput& input, const Point& origin) {
   const Camera& camera = input.level.camera;
-  const Projection projection(camera, std::max(camera.gridColumns, 1), std::max(camera.gridRows, 1));
+  const PixelGrid& grid = input.level.grid;
+  const Projection projection(camera, std::max(grid.columns, 1), std::max(grid.rows, 1));
   const Frame& frame = projection.frame();
-  const double height = 2 * camera.screenDistance * std::tan(radians(camera.fovDegrees) / 2);
+  const double height = 2 * grid.distance * std::tan(radians(camera.fovDegrees) / 2);
   const double width = height * projection.width() / projection.height();
-  const Point middle = camera.eye + camera.screenDistance * frame.forward;
+  const Point middle = camera.eye + grid.distance * frame.forward;
   block.screenCorner = pack(middle - 0.5 * width * frame.right + 0.5 * height * frame.up - origin,
                             std::clamp(input.display.screenOpacity, 0.0, 1.0));
   block.screenRight = pack(width * frame.right, projection.width());
@@ -180,48 +159,31 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.wires = visible.sculpture && display.wireframe;
   visible.original = display.originalLook != OriginalLook::hidden && there(GpuSurface::original);
   visible.ghost = visible.original && display.originalLook == OriginalLook::ghost;
-  const bool outside = glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(camera, sceneRadius);
+  const bool outside =
+      glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(input.level.grid, sceneRadius);
   const bool shown = display.rtCamera && outside && isFinite(camera.eye) && isFinite(camera.target);
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
-  visible.screen = shown && display.screenOpacity > 0 && camera.screenDistance > 0 && input.screen &&
+  visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  visible.mirror = input.level.optic.kind == OpticKind::mirror && !findShapeProblem(input.level.optic.shape);
+  visible.mirror = isVisible(input.level.optic) && !findShapeProblem(input.level.optic.shape());
   return visible;
 }
 
-double rtCameraSize(const Camera& camera, double sceneRadius) {
+double rtCameraSize(const PixelGrid& grid, double sceneRadius) {
   const double size = 0.05 * sceneRadius;
-  return camera.screenDistance > 0 ? std::min(size, 0.6 * camera.screenDistance) : size;
-}
-
-SceneMeasure measureScene(const Level& level, const Box& sculpture) {
-  // The tracer's own measure, of a stand-in with the same box.
-  SceneInput input;
-  if (!sculpture.empty() && isFinite(sculpture.min) && isFinite(sculpture.max)) {
-    auto corners = std::make_shared<Mesh>();
-    corners->positions.push_back(sculpture.min);
-    corners->positions.push_back(sculpture.max);
-    MeshSurface surface;
-    surface.mesh = corners;
-    surface.bvh = std::make_shared<const Bvh>();
-    input.surfaces.push_back(surface);
-  }
-  if (!findShapeProblem(level.optic.shape)) input.optic = OpticSurface{level.optic};
-  const RenderScene scene = buildScene(std::move(input));
-  if (!isFinite(scene.centre)) return {};
-  return {scene.centre, scene.radius, scene.epsilon};
+  return grid.distance > 0 ? std::min(size, 0.6 * grid.distance) : size;
 }
 
 SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure, const SurfaceSlots& slots,
                           const Visible& visible, int width, int height, const Pixel& shift) {
   SceneBlock block{};
-  const Level& level = input.level;
+  const LevelScene& level = input.level;
   packView(block, input, measure.centre, width, height, shift);
   packDepths(block, input, measure, slots, visible);
   packSurroundings(block, input, measure);
   packSurfaces(block, input, visible, slots, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);
-  const int mirror = visible.mirror ? std::visit(MirrorPacker{block, measure.centre}, level.optic.shape) : 0;
+  const int mirror = visible.mirror ? packMirror(block, level.optic.shape(), measure.centre) : 0;
   block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);
   const int lights = packLights(block, level, measure.centre);
   block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), mirror,

@@ -9,6 +9,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "raytrace/scene.h"
 #include "viewport/viewport.h"
 
 namespace anamorph {
@@ -64,15 +65,7 @@ struct Visible {
 Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius);
 
 /// Half the length of the RT camera's model, scene units.
-double rtCameraSize(const Camera& camera, double sceneRadius);
-
-/// As the tracer measures its scene, which is mirror and sculpture (raytrace/scene.h).
-struct SceneMeasure {
-  Point centre{0};
-  double radius = 1;
-  double epsilon = 0;
-};
-SceneMeasure measureScene(const Level& level, const Box& sculpture);
+double rtCameraSize(const PixelGrid& grid, double sceneRadius);
 
 /// For a picture of width x height pixels, whose size may differ from the input's; `shift` moves the sample
 /// away from the middles of the pixels, right and up.

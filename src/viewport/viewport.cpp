@@ -44,20 +44,6 @@ void resetStates() {
   for (GLuint unit = 0; unit < units; ++unit) glBindSampler(unit, 0);
 }
 
-/// Found again only for another mesh.
-class BoxOfMesh {
- public:
-  const Box& operator()(const std::shared_ptr<const Mesh>& mesh) {
-    if (mesh != mesh_) box_ = mesh ? boundingBox(mesh->positions) : Box{};
-    mesh_ = mesh;
-    return box_;
-  }
-
- private:
-  std::shared_ptr<const Mesh> mesh_;
-  Box box_;
-};
-
 /// The model of the RT camera, made again only for another camera.
 class ModelOfCamera {
  public:
@@ -103,7 +89,6 @@ struct Viewport::Parts {
   Framebuffer picture;
   GLuint noVertices = 0;
 
-  BoxOfMesh sculptureBox;
   ModelOfCamera cameraModel;
   SceneMeasure measure;
   Visible visible;
@@ -113,11 +98,11 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   input = wanted;
   scale = 0;  // until all is prepared: this may throw
   done = 0;
-  measure = measureScene(input.level, sculptureBox(input.sculpture.prepared.mesh));
+  measure = measureScene(boxOf(makeReflectionScene(input.level, input.sculpture)));
   SurfaceSources sources;
   sources[0] = {input.sculpture.prepared, input.sculpture.sculpture};
   sources[1] = {input.original, nullptr};
-  sources[2] = {cameraModel(input.level.camera, rtCameraSize(input.level.camera, measure.radius)), nullptr};
+  sources[2] = {cameraModel(input.level.camera, rtCameraSize(input.level.grid, measure.radius)), nullptr};
   surfaces.update(sources);
   visible = findVisible(input, surfaces.slots(), measure.radius);
   scenePass.setScreen(input.screen);

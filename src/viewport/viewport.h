@@ -29,7 +29,7 @@ namespace anamorph {
 struct ViewportInput {
   int width = 1, height = 1;  ///< pixels, of the picture at full scale
   ViewPose pose;
-  Level level;                  ///< optic, looks, materials, lights, ground, camera
+  LevelScene level;             ///< optic, looks, materials, lights, ground, camera
   PreparedMesh original;        ///< all pointers null: not there
   PreparedSculpture sculpture;  ///< the same; corners whose status is not `mapped` take their triangles out
   DisplaySettings display;

@@ -10,6 +10,7 @@
 #include "optics/camera.h"
 #include "optics/reflect.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -37,14 +38,14 @@ constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sp
 // The normal at a point of the mirror, computed here from the shape alone.
 Direction normalAt(const RandomScene& scene, const Point& q) {
   Direction n;
-  if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape)) {
+  if (const auto* plane = scene.optic.shape().as<PlaneMirror>()) {
     n = glm::normalize(
         glm::cross(plane->corners[1] - plane->corners[0], plane->corners[3] - plane->corners[0]));
-  } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape)) {
+  } else if (const auto* tube = scene.optic.shape().as<CylinderMirror>()) {
     const Vector axis = tube->top - tube->bottom, w = q - tube->bottom;
     n = glm::normalize(w - glm::dot(w, axis) / glm::dot(axis, axis) * axis);
   } else {
-    n = glm::normalize(q - std::get<SphereMirror>(scene.optic.shape).centre);
+    n = glm::normalize(q - shapeAs<SphereMirror>(scene.optic.shape()).centre);
   }
   return glm::dot(n, scene.eye - q) > 0 ? n : -n;
 }
@@ -67,14 +68,14 @@ TEST(Facts, F1AnyDepthGivesTheSameImage) {
     const auto wanted = projection.pixelOf(p);
     ASSERT_TRUE(wanted);
     for (const double k : {0.01, 0.4, 1.0, 3.0, random.uniform(0.01, 100)}) {
-      const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, k);
+      const VertexRay ray = makeVertexRay({scene.optic, scene.eye, k, {}}, p);
       ASSERT_EQ(ray.status, PathStatus::mapped);
       // S is met by the ray that goes to Q, and Q is seen where P is.
-      const auto seen = projection.pixelOf(ray.mirror);
+      const auto seen = projection.pixelOf(ray.legs.back().start);
       ASSERT_TRUE(seen);
       EXPECT_LT(glm::length(*seen - *wanted), 1e-9);
-      const double reach = glm::length(ray.sculpture - ray.mirror);
-      EXPECT_LT(missDistance(scene, ray.mirror, ray.sculpture), 1e-9 * reach);
+      const double reach = glm::length(ray.sculpture - ray.legs.back().start);
+      EXPECT_LT(missDistance(scene, ray.legs.back().start, ray.sculpture), 1e-9 * reach);
       EXPECT_NEAR(reach, k * ray.distance, 1e-9 * reach);
     }
   });
@@ -85,13 +86,13 @@ TEST(Facts, F2DeeperStaysDeeper) {
     const Point near = makeRandomOriginal(scene, random, 0.05);
     const Point far = near + random.uniform(0.01, 5) * glm::normalize(near - scene.eye);
     const double k = random.uniform(0.05, 5);
-    const VertexRay a = makeVertexRay(scene.optic, scene.eye, near, k),
-                    b = makeVertexRay(scene.optic, scene.eye, far, k);
+    const VertexRay a = makeVertexRay({scene.optic, scene.eye, k, {}}, near),
+                    b = makeVertexRay({scene.optic, scene.eye, k, {}}, far);
     ASSERT_EQ(a.status, PathStatus::mapped);
     ASSERT_EQ(b.status, PathStatus::mapped);
     // On the same reflected ray, the farther original point is the farther sculpture point.
-    const double da = glm::dot(a.sculpture - a.mirror, a.reflected),
-                 db = glm::dot(b.sculpture - a.mirror, a.reflected);
+    const double da = glm::dot(a.sculpture - a.legs.back().start, a.legs.back().direction),
+                 db = glm::dot(b.sculpture - a.legs.back().start, a.legs.back().direction);
     EXPECT_LT(da, db);
   });
 }
@@ -99,17 +100,17 @@ TEST(Facts, F2DeeperStaysDeeper) {
 TEST(Facts, F3PlaneMirrorGivesTheMirrorImage) {
   std::size_t otherEyes = 0;
   forScenes({ShapeKind::plane}, [&](const RandomScene& scene, Random& random) {
-    const auto& plane = std::get<PlaneMirror>(scene.optic.shape);
-    const Direction n = planeNormal(plane);
+    const auto& plane = shapeAs<PlaneMirror>(scene.optic.shape());
+    const Direction n = plane.normal();
     for (int i = 0; i < 10; ++i) {
       const Point p = makeRandomOriginal(scene, random, 0.05);
-      const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, 1);
+      const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, {}}, p);
       ASSERT_EQ(ray.status, PathStatus::mapped);
       const Point householder = plane.corners[0] + reflect(p - plane.corners[0], n);
       EXPECT_LT(glm::length(ray.sculpture - householder), 1e-12 * (1 + glm::length(p - scene.eye)));
       // From any other eye on the same side that sees it, the sculpture is the same.
       const Point other = scene.eye + random.point(0.3);
-      const VertexRay again = makeVertexRay(scene.optic, other, p, 1);
+      const VertexRay again = makeVertexRay({scene.optic, other, 1, {}}, p);
       if (again.status != PathStatus::mapped) continue;
       ++otherEyes;
       EXPECT_LT(glm::length(again.sculpture - ray.sculpture), 1e-12 * (1 + glm::length(p - scene.eye)));
@@ -120,10 +121,10 @@ TEST(Facts, F3PlaneMirrorGivesTheMirrorImage) {
 
 TEST(Facts, F4CylinderKeepsTheCoordinateAlongItsAxis) {
   forScenes({ShapeKind::cylinder}, [](const RandomScene& scene, Random& random) {
-    const auto& tube = std::get<CylinderMirror>(scene.optic.shape);
+    const auto& tube = shapeAs<CylinderMirror>(scene.optic.shape());
     const Direction axis = glm::normalize(tube.top - tube.bottom);
     const Point p = makeRandomOriginal(scene, random, 0.05);
-    const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, 1);
+    const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, {}}, p);
     ASSERT_EQ(ray.status, PathStatus::mapped);
     EXPECT_NEAR(glm::dot(ray.sculpture - tube.bottom, axis), glm::dot(p - tube.bottom, axis),
                 1e-13 * (1 + glm::length(p - scene.eye)));
@@ -133,14 +134,14 @@ TEST(Facts, F4CylinderKeepsTheCoordinateAlongItsAxis) {
 TEST(Facts, F5EyeMirrorPointSculptureAndNormalAreInOnePlane) {
   forScenes(everyKind, [](const RandomScene& scene, Random& random) {
     const Point p = makeRandomOriginal(scene, random, 0.05);
-    const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, random.uniform(0.1, 4));
+    const VertexRay ray = makeVertexRay({scene.optic, scene.eye, random.uniform(0.1, 4), {}}, p);
     ASSERT_EQ(ray.status, PathStatus::mapped);
-    const Direction in = glm::normalize(ray.mirror - ray.eye),
-                    out = glm::normalize(ray.sculpture - ray.mirror);
-    EXPECT_NEAR(glm::dot(glm::cross(in, out), normalAt(scene, ray.mirror)), 0, 1e-12);
-    EXPECT_LT(glm::length(ray.normal - normalAt(scene, ray.mirror)), 1e-12);
-    if (const auto* sphere = std::get_if<SphereMirror>(&scene.optic.shape)) {
-      const Direction toCentre = glm::normalize(sphere->centre - ray.mirror);
+    const Direction in = glm::normalize(ray.legs.back().start - ray.eye),
+                    out = glm::normalize(ray.sculpture - ray.legs.back().start);
+    EXPECT_NEAR(glm::dot(glm::cross(in, out), normalAt(scene, ray.legs.back().start)), 0, 1e-12);
+    EXPECT_LT(glm::length(ray.legs.back().normal - normalAt(scene, ray.legs.back().start)), 1e-12);
+    if (const auto* sphere = scene.optic.shape().as<SphereMirror>()) {
+      const Direction toCentre = glm::normalize(sphere->centre - ray.legs.back().start);
       EXPECT_NEAR(glm::dot(glm::cross(in, out), toCentre), 0, 1e-12);
     }
   });
@@ -149,14 +150,14 @@ TEST(Facts, F5EyeMirrorPointSculptureAndNormalAreInOnePlane) {
 TEST(Facts, F6EqualAnglesAndEqualLengths) {
   forScenes(everyKind, [](const RandomScene& scene, Random& random) {
     const Point p = makeRandomOriginal(scene, random, 0.05);
-    const VertexRay ray = makeVertexRay(scene.optic, scene.eye, p, 1);
+    const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, {}}, p);
     ASSERT_EQ(ray.status, PathStatus::mapped);
-    const Direction toEye = glm::normalize(ray.eye - ray.mirror),
-                    out = glm::normalize(ray.sculpture - ray.mirror);
-    const Direction n = normalAt(scene, ray.mirror);
+    const Direction toEye = glm::normalize(ray.eye - ray.legs.back().start),
+                    out = glm::normalize(ray.sculpture - ray.legs.back().start);
+    const Direction n = normalAt(scene, ray.legs.back().start);
     EXPECT_NEAR(glm::dot(toEye, n), glm::dot(out, n), 1e-12);
-    EXPECT_NEAR(ray.angleDegrees, degrees(std::acos(glm::dot(out, ray.normal))), 1e-5);
-    const double through = glm::length(ray.mirror - ray.eye) + glm::length(ray.sculpture - ray.mirror);
+    EXPECT_NEAR(ray.legs.back().angleOutDegrees, degrees(std::acos(glm::dot(out, ray.legs.back().normal))), 1e-5);
+    const double through = glm::length(ray.legs.back().start - ray.eye) + glm::length(ray.sculpture - ray.legs.back().start);
     EXPECT_NEAR(through, glm::length(p - ray.eye), 1e-12 * through);
   });
 }
@@ -174,15 +175,15 @@ TEST(Facts, F7NoFoldOnConvexMirrors) {
       const Vector lean1 = random.uniform(-0.5, 0.5) * forward, lean2 = random.uniform(-0.5, 0.5) * forward;
       const Point a = centre, b = centre + size * (frame.right + lean1),
                   c = centre + size * (frame.up + lean2);
-      const VertexRay ra = makeVertexRay(scene.optic, scene.eye, a, k);
-      const VertexRay rb = makeVertexRay(scene.optic, scene.eye, b, k);
-      const VertexRay rc = makeVertexRay(scene.optic, scene.eye, c, k);
+      const VertexRay ra = makeVertexRay({scene.optic, scene.eye, k, {}}, a);
+      const VertexRay rb = makeVertexRay({scene.optic, scene.eye, k, {}}, b);
+      const VertexRay rc = makeVertexRay({scene.optic, scene.eye, k, {}}, c);
       if (ra.status != PathStatus::mapped || rb.status != PathStatus::mapped ||
           rc.status != PathStatus::mapped)
         continue;
       const Vector normal = glm::cross(rb.sculpture - ra.sculpture, rc.sculpture - ra.sculpture);
       // right x up points to the eye; after one reflection the same winding is seen from behind.
-      EXPECT_GT(glm::dot(normal, ra.reflected), 0);
+      EXPECT_GT(glm::dot(normal, ra.legs.back().direction), 0);
       ++tested;
     }
   });
@@ -199,9 +200,10 @@ TEST(Facts, F8HalvingAnEdgeQuartersItsError) {
       camera.eye = scene.eye;
       camera.target = scene.onMirror;
       const Projection projection(camera, 1024, 1024);
-      const EdgeJudge judge{scene.optic, projection, 1};
+      const VertexMap map{scene.optic, scene.eye, 1, {}};
+      const EdgeJudge judge{map, projection};
       const auto end = [&](const Point& p) {
-        const MappedPoint mapped = mapPoint(scene.optic, scene.eye, p, 1);
+        const MappedPoint mapped = mapPoint(map, p);
         return EdgeEnd{p, mapped.point, mapped.status};
       };
       const Point a = makeRandomOriginal(scene, random, 0.02),
@@ -230,9 +232,9 @@ TEST(MapPoints, AgreesWithOneVertexAfterTheOtherForAnyThreadCount) {
     original.push_back(scene.eye);
     const double k = random.uniform(0.1, 4);
     MappedPoints mapped;
-    mapPointsThrough(scene.optic, scene.eye, original, k, mapped, random.integer(1, 4));
+    mapPointsThrough({scene.optic, scene.eye, k, {}}, original, mapped, random.integer(1, 4));
     for (std::size_t i = 0; i < original.size(); ++i) {
-      const MappedPoint one = mapPoint(scene.optic, scene.eye, original[i], k);
+      const MappedPoint one = mapPoint({scene.optic, scene.eye, k, {}}, original[i]);
       ASSERT_EQ(mapped.points[i], one.point) << i;
       ASSERT_EQ(mapped.status[i], one.status) << i;
       ASSERT_TRUE(isFinite(mapped.points[i]));

@@ -9,6 +9,7 @@
 #include "anamorphosis/vertex_ray.h"
 #include "geometry/shapes.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -21,19 +22,19 @@ MatchInput matchInput(const DeformInput& deform, Sculpture sculpture, int size =
   input.originalBvh = std::make_shared<const Bvh>(deform.original->positions, deform.original->triangles);
   input.sculptureBvh = std::make_shared<const Bvh>(sculpture.mesh.positions, sculpture.mesh.triangles);
   input.sculpture = std::make_shared<const Sculpture>(std::move(sculpture));
-  input.optic = deform.optic;
+  input.optic = deform.map.optic;
   input.camera = deform.camera;
   input.width = input.height = size;
   return input;
 }
 
-DeformInput makeInput(MirrorShape mirror, Mesh mesh, const Point& position, double scale) {
+DeformInput makeInput(Shape mirror, Mesh mesh, const Point& position, double scale) {
   mesh.positions = mapPoints(mesh.positions, [&](const Point& p) { return position + scale * p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(std::move(mesh));
-  input.optic.shape = mirror;
+  input.map.optic.shape() = mirror;
   input.camera.target = position;
-  input.depthScale = 0.4;
+  input.map.depthScale = 0.4;
   input.imageSize = 128;
   return input;
 }
@@ -41,13 +42,13 @@ DeformInput makeInput(MirrorShape mirror, Mesh mesh, const Point& position, doub
 DeformInput cylinderInput(Mesh mesh) {
   DeformInput input =
       makeInput(CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3}, std::move(mesh), {0, 5.4, 0.8}, 0.7);
-  input.camera.eye = {0, -13.6, 9.8};
+  input.map.eye = input.camera.eye = {0, -13.6, 9.8};
   return input;
 }
 
 DeformInput sphereInput(Mesh mesh) {
   DeformInput input = makeInput(SphereMirror{{0, 0, 4}, 4}, std::move(mesh), {0, 5.2, 1.7}, 0.7);
-  input.camera.eye = {0, -9.9, 15.9};
+  input.map.eye = input.camera.eye = {0, -9.9, 15.9};
   return input;
 }
 
@@ -55,8 +56,8 @@ DeformInput planeInput(Mesh mesh) {
   DeformInput input =
       makeInput(PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}},
                 std::move(mesh), {0, 3.4, 1}, 1);
-  input.camera.eye = {0, -11.9, 6.5};
-  input.depthScale = 1;
+  input.map.eye = input.camera.eye = {0, -11.9, 6.5};
+  input.map.depthScale = 1;
   return input;
 }
 
@@ -107,7 +108,7 @@ BruteFigures bruteFigures(const MatchInput& input) {
       const Pixel centre = matchSample(x, y);
       const Ray ray = projection.rayThrough(centre);
       const bool direct = bruteForce(*input.original, ray).t < infinity;
-      const auto mirror = intersect(input.optic.shape, ray);
+      const auto mirror = intersect(input.optic.shape(), ray);
       const bool blocked = bruteForce(s.mesh, ray).t < (mirror ? mirror->t : infinity);
       bool reflected = false;
       if (mirror && !blocked) {
@@ -227,13 +228,13 @@ TEST(Match, WrongOrderOfDepthScoresWorse) {
     std::vector<VertexRay> rays;
     double nearest = infinity, farthest = 0;
     for (std::size_t i = 0; i < s.original.size(); ++i) {
-      rays.push_back(makeVertexRay(deform.optic, deform.camera.eye, s.original[i], 1));
+      rays.push_back(makeVertexRay({deform.map.optic, deform.camera.eye, 1, {}}, s.original[i]));
       nearest = std::min(nearest, rays[i].distance);
       farthest = std::max(farthest, rays[i].distance);
     }
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const double distance = deform.depthScale * (nearest + farthest - rays[i].distance);
-      s.mesh.positions.set(i, rays[i].mirror + distance * rays[i].reflected);
+      const double distance = deform.map.depthScale * (nearest + farthest - rays[i].distance);
+      s.mesh.positions.set(i, rays[i].legs.back().start + distance * rays[i].legs.back().direction);
     }
     const MatchReport report = reportOf(deform, std::move(s));
     EXPECT_GT(report.silhouetteIou, 0.8);
@@ -245,8 +246,8 @@ TEST(Match, WrongOrderOfDepthScoresWorse) {
 
 TEST(Match, SelfHiddenSculptureScoresWorse) {
   DeformInput deform = cylinderInput(box());
-  deform.camera.eye = {0, -12, 1};  // level with the object: the sculpture stands in its own light
-  deform.depthScale = 1;
+  deform.map.eye = deform.camera.eye = {0, -12, 1};  // level with the object: the sculpture stands in its own light
+  deform.map.depthScale = 1;
   const MatchReport report = reportOf(deform, makeSculpture(deform));
   EXPECT_GT(report.hiddenShare, 0.3);
   EXPECT_LT(report.silhouetteIou, 0.7);
@@ -263,7 +264,7 @@ TEST(Match, EmptySculptureScoresNothing) {
 
 TEST(Match, MirrorTooSmallIsMissed) {
   DeformInput deform = cylinderInput(box());
-  deform.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 0.8};
+  deform.map.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 0.8};
   const MatchReport report = reportOf(deform, makeSculpture(deform));
   EXPECT_GT(report.missedShare, 0.2);
   EXPECT_NE(gradeOf(report), MatchGrade::excellent);
@@ -272,19 +273,19 @@ TEST(Match, MirrorTooSmallIsMissed) {
 TEST(Match, TheThesisFormulasScoreWorse) {
   // Each published mistake alone (method section 3): direction, distance, and the cylinder's normal.
   const DeformInput deform = cylinderInput(box());
-  const auto& tube = std::get<CylinderMirror>(deform.optic.shape);
+  const auto& tube = shapeAs<CylinderMirror>(deform.map.optic.shape());
   for (int mistake = 0; mistake < 3; ++mistake) {
     SCOPED_TRACE(mistake);
     Sculpture s = makeSculpture(deform);
     for (std::size_t i = 0; i < s.original.size(); ++i) {
       const Point p = s.original[i];
-      const VertexRay ray = makeVertexRay(deform.optic, deform.camera.eye, p, 1);
+      const VertexRay ray = makeVertexRay({deform.map.optic, deform.camera.eye, 1, {}}, p);
       const Direction in = glm::normalize(p - deform.camera.eye);
-      Direction normal = ray.normal;
-      if (mistake == 2) normal = glm::normalize(ray.mirror - 0.5 * (tube.bottom + tube.top));
+      Direction normal = ray.legs.back().normal;
+      if (mistake == 2) normal = glm::normalize(ray.legs.back().start - 0.5 * (tube.bottom + tube.top));
       const Direction out = in - 2 * glm::dot(in, normal) * normal;
-      const double distance = mistake == 1 ? glm::length((p - deform.camera.eye) - ray.mirror) : ray.distance;
-      s.mesh.positions.set(i, ray.mirror + distance * 0.4 * (mistake == 0 ? -out : out));
+      const double distance = mistake == 1 ? glm::length((p - deform.camera.eye) - ray.legs.back().start) : ray.distance;
+      s.mesh.positions.set(i, ray.legs.back().start + distance * 0.4 * (mistake == 0 ? -out : out));
     }
     const MatchReport report = reportOf(deform, std::move(s));
     if (mistake == 1) {

@@ -9,6 +9,7 @@
 #include "anamorphosis/vertex_ray.h"
 #include "geometry/shapes.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -23,8 +24,8 @@ std::shared_ptr<const Mesh> placed(Mesh mesh, const Point& position, double scal
 DeformInput cylinderInput(std::shared_ptr<const Mesh> original) {
   DeformInput input;
   input.original = std::move(original);
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
-  input.camera.eye = {0, -13.6, 9.8};
+  input.map.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  input.map.eye = input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 0.8};
   return input;
 }
@@ -45,7 +46,7 @@ void expectConsistent(const DeformInput& input, const Sculpture& s) {
   for (std::size_t i = 0; i < s.mesh.positions.size(); ++i) {
     ASSERT_TRUE(isFinite(s.mesh.positions[i]));
     if (s.status[i] != PathStatus::mapped) continue;
-    const MappedPoint mapped = mapPoint(input.optic, input.camera.eye, s.original[i], input.depthScale);
+    const MappedPoint mapped = mapPoint({input.map.optic, input.camera.eye, input.map.depthScale, {}}, s.original[i]);
     ASSERT_EQ(mapped.point, s.mesh.positions[i]) << "every vertex is mapped exactly, refined or not";
     ASSERT_LT(glm::length(sourcePoint(*input.original, s.source[i]) - s.original[i]), 1e-12 * size);
   }
@@ -84,7 +85,7 @@ TEST(Sculpture, ClosedStaysClosedAndOutward) {
           placed(makePawn(2, 12), {0, 5.4, 1}, 1)}) {
       DeformInput input = cylinderInput(original);
       input.tolerancePixels = tolerance;
-      input.depthScale = 0.4;
+      input.map.depthScale = 0.4;
       const Sculpture s = makeSculpture(input);
       EXPECT_TRUE(isClosed(s.mesh)) << tolerance;
       EXPECT_GT(signedVolume(s.mesh), 0) << tolerance;
@@ -109,8 +110,8 @@ TEST(Sculpture, FinerToleranceGivesMoreTriangles) {
 TEST(Sculpture, PlaneMirrorNeedsNoRefinement) {
   DeformInput input;
   input.original = placed(makeBox({6, 2, 2}, 1), {0, 3.4, 1});
-  input.optic.shape = PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}};
-  input.camera.eye = {0, -11.9, 6.5};
+  input.map.optic.shape() = PlaneMirror{{Point(-8, 0, 0), Point(8, 0, 0), Point(8, 0, 8), Point(-8, 0, 8)}};
+  input.map.eye = input.camera.eye = {0, -11.9, 6.5};
   input.camera.target = {0, 3.4, 1};
   EXPECT_EQ(makeSculpture(input).mesh.triangles.size(), 12u);
 }
@@ -156,7 +157,7 @@ TEST(Sculpture, OverhangingOriginalIsCutAtTheMirrorsEdge) {
   const Projection projection(input.camera, 512, 512);
   double edge = 0;  // the last x whose ray meets the mirror steeply enough
   for (double x = 0; x < 12; x += 0.001) {
-    const MappedPoint mapped = mapPoint(input.optic, input.camera.eye, {x, 5.15, 1.05}, 1);
+    const MappedPoint mapped = mapPoint({input.map.optic, input.camera.eye, 1, {}}, {x, 5.15, 1.05});
     if (mapped.status == PathStatus::mapped) edge = x;
   }
   const auto a = projection.pixelOf({reach, 5.15, 1.05}), b = projection.pixelOf({edge, 5.15, 1.05});
@@ -166,8 +167,8 @@ TEST(Sculpture, OverhangingOriginalIsCutAtTheMirrorsEdge) {
 TEST(Sculpture, MirrorSmallerThanATriangleIsFound) {
   DeformInput input;
   input.original = placed(makeBox({20, 0.1, 20}, 1), {0, 6, 0});
-  input.optic.shape = SphereMirror{{0.7, 0, 0.4}, 0.3};
-  input.camera.eye = {0, -12, 0};
+  input.map.optic.shape() = SphereMirror{{0.7, 0, 0.4}, 0.3};
+  input.map.eye = input.camera.eye = {0, -12, 0};
   input.camera.target = {0, 0, 0};
   const Sculpture s = makeSculpture(input);
   EXPECT_GT(s.mesh.triangles.size(), 50u);
@@ -220,10 +221,9 @@ TEST(RemapSculpture, FollowsTheEyeWithTheSameTriangles) {
   DeformInput input = cylinderInput(placed(makeBox({6, 2, 2}, 4), {0, 5.4, 0.8}, 0.7));
   Sculpture s = makeSculpture(input);
   const std::vector<Triangle> triangles = s.mesh.triangles;
-  input.camera.eye = {1, -14, 11};
-  input.depthScale = 0.5;
-  const PointArray original = s.original;
-  remapSculpture(input.optic, input.camera.eye, input.depthScale, original, s, 2);
+  input.map.eye = input.camera.eye = {1, -14, 11};
+  input.map.depthScale = 0.5;
+  remapSculpture(input.map, s, 2);
   EXPECT_EQ(s.mesh.triangles, triangles);
   expectConsistent(input, s);
 }
@@ -237,8 +237,8 @@ TEST(Sculpture, RandomScenes) {
       Random random(seed);
       const RandomScene scene = makeRandomScene(kind, random);
       DeformInput input;
-      input.optic = scene.optic;
-      input.camera.eye = scene.eye;
+      input.map.optic = scene.optic;
+      input.map.eye = input.camera.eye = scene.eye;
       input.camera.target = scene.onMirror;
       input.imageSize = 128;
       input.maxTriangles = 20000;
@@ -248,7 +248,7 @@ TEST(Sculpture, RandomScenes) {
       const Sculpture s = makeSculpture(input);
       expectConsistent(input, s);
       const bool whole = s.originalStatus[0] == input.original->positions.size();
-      if (whole && !s.mesh.triangles.empty() && std::get_if<PlaneMirror>(&scene.optic.shape)) {
+      if (whole && !s.mesh.triangles.empty() && scene.optic.shape().as<PlaneMirror>()) {
         EXPECT_TRUE(isClosed(s.mesh));
       }
     }

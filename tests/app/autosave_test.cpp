@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "cli/program.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -27,7 +28,7 @@ using namespace testing;
 
 Level numbered(int number) {
   Level level;
-  level.title = "Number " + std::to_string(number);
+  level.text.edit([&](LevelText& text) { text.title = "Number " + std::to_string(number); });
   level.sculpture.depthScale = 1 + number;
   return level;
 }
@@ -214,7 +215,7 @@ TEST_F(Autosaves, OfALevelThatNoFileHoldsKeepTheOneBefore) {
   session.edit(numbered(1));
   autosave.writeNow(session);
   Level broken = numbered(2);
-  broken.optic.shape = SphereMirror{{0, 0, 0}, 0};
+  broken.optic.shape() = SphereMirror{{0, 0, 0}, 0};
   session.edit(broken);
   EXPECT_NO_THROW(autosave.writeNow(session));
   for (const auto& entry : fs::directory_iterator(folder)) {

@@ -79,7 +79,7 @@ TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
   editor().session.finishChange();
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
-  const Products& products = editor().updater.products();
+  const LevelResult& products = editor().updater.result();
   EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), products.sculpture.sculpture->mesh.triangles.size());
 }
 

@@ -45,7 +45,7 @@ class OpenGui : public GuiTest {
   void beginDrag() {
     headless->resize(1280, 800);
     frames(3);
-    while (!editor().updater.products().complete) frames(1);
+    while (!editor().updater.result().complete) frames(1);
     editor().selection = {Part::original};
     frames(3);
     const auto grip = gripOf(GizmoHandle::x);
@@ -105,14 +105,14 @@ TEST_F(OpenGui, ALevelThatCannotBeOpenedLeavesTheOldOne) {
 }
 
 TEST_F(OpenGui, AMeshThatIsDroppedIsTheOriginal) {
-  while (!editor().updater.products().complete) frames(1);
+  while (!editor().updater.result().complete) frames(1);
   gui().drop({std::filesystem::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj"});
   EXPECT_TRUE(gui().unfinished());
   for (int i = 0; i < 2000 && editor().job.busy(); ++i) frames(1);
   ASSERT_TRUE(std::holds_alternative<FileShape>(editor().session.level().original.shape));
-  while (!editor().updater.products().complete) frames(1);
-  EXPECT_EQ(editor().updater.products().problem, std::nullopt);
-  EXPECT_GT(editor().updater.products().match->report.silhouetteIou, 0.95);
+  while (!editor().updater.result().complete) frames(1);
+  EXPECT_EQ(editor().updater.result().problem, std::nullopt);
+  EXPECT_GT(editor().updater.result().match->report.silhouetteIou, 0.95);
   gui().key('Z', keys::control);
   EXPECT_FALSE(editor().session.modified());
 }
@@ -134,21 +134,21 @@ TEST_F(OpenGui, ALevelThatIsDroppedWaitsForTheQuestion) {
 }
 
 TEST_F(OpenGui, TheEyeIsLiftedWithoutStopping) {
-  while (!editor().updater.products().complete) frames(1);
+  while (!editor().updater.result().complete) frames(1);
   Level level = editor().session.level();
   level.camera.eye.z = 1;
   editor().session.edit(level);
   frames(1);
-  while (!editor().updater.products().complete) frames(1);
-  ASSERT_GT(editor().updater.products().match->report.hiddenShare, 0);
+  while (!editor().updater.result().complete) frames(1);
+  ASSERT_GT(editor().updater.result().match->report.hiddenShare, 0);
   startLift(editor());
   int drawn = 0;
   for (; drawn < 5000 && editor().job.busy(); ++drawn) frames(1);
   EXPECT_GT(drawn, 3) << "frames go on meanwhile";
   EXPECT_GT(editor().session.level().camera.eye.z, 1) << editor().message;
   frames(1);
-  while (!editor().updater.products().complete) frames(1);
-  EXPECT_EQ(editor().updater.products().match->report.hiddenShare, 0);
+  while (!editor().updater.result().complete) frames(1);
+  EXPECT_EQ(editor().updater.result().match->report.hiddenShare, 0);
 }
 
 TEST_F(GuiTest, WithoutAnyLevelTheErrorIsTheCallers) {
@@ -163,7 +163,7 @@ TEST_F(OpenGui, RestsWhenAllIsDone) {
     headless->frame(1.0 / 60, &best);
     EXPECT_FALSE(gui().unfinished());
   }
-  EXPECT_TRUE(editor().updater.products().complete);
+  EXPECT_TRUE(editor().updater.result().complete);
 }
 
 TEST_F(OpenGui, TheMouseInTheViewChangesNoPictureByBeingThere) {
@@ -205,7 +205,7 @@ TEST_F(OpenGui, SaysWhatTheViewCannotShow) {
 }
 
 TEST_F(OpenGui, StateLineIsJson) {
-  while (!editor().updater.products().complete) frames(1);
+  while (!editor().updater.result().complete) frames(1);
   editor().cell = GridCell{3, 5};
   frames(1);
   const JsonValue state = parseJson(stateLine(gui(), 7), "state");

@@ -105,7 +105,7 @@ TEST_F(ViewInput, ShowsVertexRaysAtFirst) {
 }
 
 TEST_F(ViewInput, APickedPointHasItsConstructionAlone) {
-  editor.point = pickedVertex(*editor.updater.products().original.mesh, 5);
+  editor.point = pickedVertex(*editor.updater.result().original.mesh, 5);
   ASSERT_TRUE(editor.point);
   const std::size_t construction = rayCount();
   EXPECT_GT(construction, 0u);
@@ -141,10 +141,10 @@ TEST_F(ViewInput, APickedCellIsShownWhateverTheSource) {
 }
 
 TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
-  const Camera& camera = editor.session.level().camera;
+  const PixelGrid& grid = editor.session.level().grid;
   editor.rays.hideNoHit = false;
-  for (int row = 0; row < camera.gridRows; ++row) {
-    for (int column = 0; column < camera.gridColumns; ++column) {
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
       editor.cell = GridCell{column, row};
       advance(editor, 0);
       EXPECT_GT(rayCount(), 0u) << column << ", " << row;
@@ -154,10 +154,10 @@ TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
 
 TEST_F(ViewInput, NothingIsShownOfASculptureThatCannotBe) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape()).positions).centre();
   editor.session.edit(level);
   finish();
-  ASSERT_TRUE(editor.updater.products().problem);
+  ASSERT_TRUE(editor.updater.result().problem);
   for (const RaySource source : {RaySource::vertices, RaySource::pixels}) {
     editor.rays.source = source;
     advance(editor, 0);

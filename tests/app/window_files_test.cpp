@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 // A small level, so that frames are quick.
 Level smallLevel() {
   Level level = loadLevel(fs::path(ANAMORPH_LEVELS) / "1-plane.json").level;
-  level.title = "Small";
+  level.text.edit([&](LevelText& text) { text.title = "Small"; });
   std::get<BoxShape>(level.original.shape).segments = 4;
   return level;
 }
@@ -34,7 +34,7 @@ class RealWindowFiles : public ::testing::Test {
     fs::create_directories(home("works"));
     saveLevel(home("works/mine.json"), smallLevel());
     Level other = smallLevel();
-    other.title = "Other";
+    other.text.edit([&](LevelText& text) { text.title = "Other"; });
     saveLevel(home("works/other.json"), other);
   }
   void TearDown() override {

@@ -8,6 +8,7 @@
 #include "anamorphosis/map_points.h"
 #include "anamorphosis/vertex_ray.h"
 #include "ratios.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -51,7 +52,7 @@ void deform(benchmark::State& state, int kind) {
   const Optic mirror = optic(kind);
   MappedPoints mapped;
   for (auto _ : state) {
-    mapPointsThrough(mirror, eye, original(), 0.4, mapped, 1);
+    mapPointsThrough({mirror, eye, 0.4, {}}, original(), mapped, 1);
     benchmark::ClobberMemory();
   }
   if (countStatus(mapped.status)[0] != vertices) state.SkipWithError("not every vertex is mapped");
@@ -61,7 +62,7 @@ void oneByOne(benchmark::State& state, int kind) {
   const Optic mirror = optic(kind);
   PointArray mapped(vertices);
   for (auto _ : state) {
-    for (std::size_t i = 0; i < vertices; ++i) mapped.set(i, mapPoint(mirror, eye, original()[i], 0.4).point);
+    for (std::size_t i = 0; i < vertices; ++i) mapped.set(i, mapPoint({mirror, eye, 0.4, {}}, original()[i]).point);
     benchmark::ClobberMemory();
   }
 }

@@ -37,7 +37,7 @@ void drawSheet(benchmark::State& state) {
   const Level level = loadLevel(std::string(ANAMORPH_LEVELS) + "/3-sphere.json").level;
   const auto original = placeOriginal(*loadOriginal(level.original.shape, {}), level.original.unitize,
                                       level.original.placement);
-  const FinishedLevel finished = *finishLevel(level, original, 0, {});
+  const LevelResult finished = *finishLevel(level, original, 0, {});
   for (auto _ : state) {
     const Arrangement arrangement = makeArrangement(finished, 10);
     const ViewingSheet sheet = makeViewingSheet(finished, arrangement, Paper::a4, std::nullopt);

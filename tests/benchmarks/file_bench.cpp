@@ -10,6 +10,7 @@
 #include "geometry/mesh_files.h"
 #include "geometry/shapes.h"
 #include "ratios.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -40,8 +41,8 @@ void fileToFile(benchmark::State& state) {
   const LargeModel model;
   const fs::path out = fs::temp_directory_path() / "anamorph-bench-out.obj";
   DeformInput input;
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 8}, 3};
-  input.camera.eye = {0, -12, 8};
+  input.map.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 8}, 3};
+  input.map.eye = input.camera.eye = {0, -12, 8};
   input.tolerancePixels = 0;
   for (auto _ : state) {
     input.original = std::make_shared<const Mesh>(loadMesh(model.path()));

@@ -7,9 +7,11 @@
 #include "geometry/shapes.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 #include "ratios.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -20,18 +22,17 @@ void liveStep(benchmark::State& state) {
   knot.positions = mapPoints(knot.positions, [](const Point& p) { return Point(0, 5.4, 1.5) + p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(knot);
-  input.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
-  input.camera.eye = {0, -13.6, 9.8};
+  input.map.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  input.map.eye = input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 1.5};
   input.tolerancePixels = 0;
   Sculpture sculpture = makeSculpture(input);
+  input.map.depthScale = 0.4;
   const NormalGroups groups = makeNormalGroups(sculpture.mesh);
   Bvh bvh(sculpture.mesh.positions, sculpture.mesh.triangles, threads);
-  const PointArray original = sculpture.original;
-  double move = 0;
   for (auto _ : state) {
-    move += 0.001;
-    remapSculpture(input.optic, input.camera.eye + Vector(move, 0, 0), 0.4, original, sculpture, threads);
+    input.map.eye.x += 0.001;
+    remapSculpture(input.map, sculpture, threads);
     benchmark::DoNotOptimize(
         computeNormals(sculpture.mesh.positions, sculpture.mesh.triangles, groups, threads));
     bvh.refit(sculpture.mesh.positions, threads);

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "edit/edit_levels.h"
+#include "pipeline/stages.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -45,7 +47,7 @@ TEST(Construction, ShowsTheVertexRay) {
       const RandomScene scene = makeRandomScene(kind, random);
       const double k = random.uniform(0.1, 3);
       const Construction made =
-          makeConstruction(scene.optic, scene.eye, makeRandomOriginal(scene, random, 0.02), k);
+          makeConstruction({scene.optic, scene.eye, k, {}}, makeRandomOriginal(scene, random, 0.02));
       ASSERT_EQ(made.ray.status, PathStatus::mapped);
       EXPECT_TRUE(allFinite(made));
       EXPECT_TRUE(made.explanation.empty());
@@ -53,19 +55,19 @@ TEST(Construction, ShowsTheVertexRay) {
       EXPECT_EQ(*find(made, "S"), made.ray.sculpture);
       EXPECT_EQ(made.segments.size(), 4u);
       for (const ConstructionSegment& segment : made.segments) {
-        const bool touches = segment.from == made.ray.mirror || segment.to == made.ray.mirror;
+        const bool touches = segment.from == made.ray.legs.back().start || segment.to == made.ray.legs.back().start;
         EXPECT_TRUE(touches) << "all meet in Q";
       }
       ASSERT_EQ(made.arcs.size(), 2u);
       for (const ConstructionArc& arc : made.arcs) {
-        const Vector first = arc.points.front() - made.ray.mirror, last = arc.points.back() - made.ray.mirror;
+        const Vector first = arc.points.front() - made.ray.legs.back().start, last = arc.points.back() - made.ray.legs.back().start;
         const double angle = std::acos(
             std::clamp(glm::dot(first, last) / (glm::length(first) * glm::length(last)), -1.0, 1.0));
-        EXPECT_NEAR(degrees(angle), made.ray.angleDegrees, 1e-4);
-        const Direction across = glm::normalize(glm::cross(made.ray.normal, made.ray.reflected));
+        EXPECT_NEAR(degrees(angle), made.ray.legs.back().angleOutDegrees, 1e-4);
+        const Direction across = glm::normalize(glm::cross(made.ray.legs.back().normal, made.ray.legs.back().direction));
         for (const Point& p : arc.points) {
-          EXPECT_NEAR(glm::length(p - made.ray.mirror), glm::length(first), 1e-9);
-          EXPECT_NEAR(glm::dot(p - made.ray.mirror, across), 0, 1e-9) << "in the plane of incidence";
+          EXPECT_NEAR(glm::length(p - made.ray.legs.back().start), glm::length(first), 1e-9);
+          EXPECT_NEAR(glm::dot(p - made.ray.legs.back().start, across), 0, 1e-9) << "in the plane of incidence";
         }
       }
       EXPECT_LT(glm::length(made.arcs[0].points.back() - made.arcs[1].points.front()), 1e-12)
@@ -78,7 +80,7 @@ TEST(Construction, HasTheNumbersOfTheLesson) {
   Level level;
   level.camera.eye = {0, -3, 0.5};
   level.sculpture.depthScale = 0.5;
-  const Construction made = makeConstruction(level, {4, 1, 0.5});  // the mirror is y = 0; tan = 1
+  const Construction made = makeConstruction(makeVertexMap(level), {4, 1, 0.5});  // the mirror is y = 0; tan = 1
   ASSERT_EQ(made.ray.status, PathStatus::mapped);
   EXPECT_EQ(made.arcs[0].label.text, "α = 45.0°");
   ASSERT_EQ(made.distances.size(), 2u);
@@ -89,11 +91,11 @@ TEST(Construction, HasTheNumbersOfTheLesson) {
   EXPECT_EQ(rows["Q  mirror point"], "(3.00, 0.00, 0.50)");
   EXPECT_EQ(rows["S = Q + k·d R"], "(3.50, -0.50, 0.50)");
   level.sculpture.depthScale = 1;
-  EXPECT_EQ(makeConstruction(level, {4, 1, 0.5}).distances[1].text, "d = 1.41");
+  EXPECT_EQ(makeConstruction(makeVertexMap(level), {4, 1, 0.5}).distances[1].text, "d = 1.41");
 }
 
 TEST(Construction, ExplainsEveryOtherStatus) {
-  Optic plane{OpticKind::mirror, Level{}.optic.shape};
+  Optic plane{OpticKind::mirror, Level{}.optic.shape()};
   Optic sphere{OpticKind::mirror, SphereMirror{{0, 0, 0}, 2}};
   struct Case {
     Optic optic;
@@ -110,7 +112,7 @@ TEST(Construction, ExplainsEveryOtherStatus) {
   };
   for (const Case& c : cases) {
     SCOPED_TRACE(pathStatusName(c.status));
-    const Construction made = makeConstruction(c.optic, c.eye, c.original, 1);
+    const Construction made = makeConstruction({c.optic, c.eye, 1, {}}, c.original);
     ASSERT_EQ(made.ray.status, c.status);
     EXPECT_TRUE(allFinite(made));
     EXPECT_FALSE(made.explanation.empty());
@@ -130,7 +132,7 @@ TEST(Construction, AbsurdLevelsStayFinite) {
   for (const Level& level : makeAbsurdLevels()) {
     Random random(1);
     for (int i = 0; i < 50; ++i) {
-      EXPECT_TRUE(allFinite(makeConstruction(level, i == 0 ? level.camera.eye : random.point(5))));
+      EXPECT_TRUE(allFinite(makeConstruction(makeVertexMap(level), i == 0 ? level.camera.eye : random.point(5))));
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "edit/level_edits.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph::testing {
 
@@ -28,14 +29,14 @@ inline Level makeRandomLevel(ShapeKind kind, Random& random) {
 
 inline std::vector<Level> makeAbsurdLevels() {
   Level flatSphere, flatCylinder, noQuad, eyeAtAim, zeroScale, farAway;
-  flatSphere.optic.shape = SphereMirror{{0, 0, 1}, 0};
-  flatCylinder.optic.shape = CylinderMirror{{0, 0, 1}, {0, 0, 1}, 0};
-  noQuad.optic.shape = PlaneMirror{{Point(1), Point(1), Point(1), Point(1)}};
+  flatSphere.optic.shape() = SphereMirror{{0, 0, 1}, 0};
+  flatCylinder.optic.shape() = CylinderMirror{{0, 0, 1}, {0, 0, 1}, 0};
+  noQuad.optic.shape() = PlaneMirror{{Point(1), Point(1), Point(1), Point(1)}};
   eyeAtAim.camera.eye = eyeAtAim.camera.target;
   eyeAtAim.camera.up = Vector(0);
   zeroScale.original.placement.scale = Vector(0);
   farAway.camera.eye = Point(1e6, -1e6, 1e6);
-  farAway.optic.shape = SphereMirror{{1e6, 0, 0}, 1e6};
+  farAway.optic.shape() = SphereMirror{{1e6, 0, 0}, 1e6};
   return {flatSphere, flatCylinder, noQuad, eyeAtAim, zeroScale, farAway};
 }
 
@@ -51,14 +52,14 @@ inline bool isSound(const Level& level) {
   bool sound = true;
   const auto point = [&](const Point& p) { sound &= isFinite(p) && glm::length(p) <= 2e6; };
   const auto size = [&](double s) { sound &= std::isfinite(s) && s >= 0; };
-  if (const auto* plane = std::get_if<PlaneMirror>(&level.optic.shape)) {
+  if (const auto* plane = level.optic.shape().as<PlaneMirror>()) {
     for (const Point& corner : plane->corners) point(corner);
-  } else if (const auto* cylinder = std::get_if<CylinderMirror>(&level.optic.shape)) {
+  } else if (const auto* cylinder = level.optic.shape().as<CylinderMirror>()) {
     point(cylinder->bottom);
     point(cylinder->top);
     size(cylinder->radius);
   } else {
-    const auto& sphere = std::get<SphereMirror>(level.optic.shape);
+    const auto& sphere = shapeAs<SphereMirror>(level.optic.shape());
     point(sphere.centre);
     size(sphere.radius);
   }
@@ -86,10 +87,10 @@ inline double differenceOf(const Level& a, const Level& b) {
   for (const Point& p : {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), Point(0)}) {
     point(PlacementMap(a.original.placement)(p), PlacementMap(b.original.placement)(p));
   }
-  const Mesh m = tessellate(a.optic.shape, 8), n = tessellate(b.optic.shape, 8);
-  const auto* tube = std::get_if<CylinderMirror>(&a.optic.shape);
+  const Mesh m = tessellate(a.optic.shape(), 8), n = tessellate(b.optic.shape(), 8);
+  const auto* tube = a.optic.shape().as<CylinderMirror>();
   if (tube) {  // its triangles may be turned about the axis
-    const auto& other = std::get<CylinderMirror>(b.optic.shape);
+    const auto& other = shapeAs<CylinderMirror>(b.optic.shape());
     point(tube->bottom, other.bottom);
     point(tube->top, other.top);
     return std::max(difference, std::abs(tube->radius - other.radius));

@@ -9,6 +9,8 @@
 #include "edit/orbit.h"
 #include "optics/camera.h"
 #include "pipeline/changing_levels.h"
+#include "pipeline/stages.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -46,8 +48,9 @@ void advanceUntilStill(Editor& editor, double step = 0.016) {
 }
 
 void expectSeenByTheRtCamera(const Editor& editor) {
-  const Camera& camera = editor.session.level().camera;
-  EXPECT_EQ(editor.pose, lookThroughPose(camera, editor.viewWidth, editor.viewHeight));
+  const Level& level = editor.session.level();
+  const Camera& camera = level.camera;
+  EXPECT_EQ(editor.pose, lookThroughPose(camera, level.grid, editor.viewWidth, editor.viewHeight));
   EXPECT_EQ(editor.pose.eye, camera.eye);
   const ViewProjection view(editor.pose, editor.viewWidth, editor.viewHeight);
   const Projection rt(camera, editor.viewWidth, editor.viewHeight);
@@ -136,7 +139,7 @@ TEST(Editor, StaysWithTheRtCameraWhileThatMoves) {
   }
   editor.viewWidth = 300;  // and when the view is reshaped
   advance(editor, 0.016);
-  EXPECT_EQ(editor.pose, lookThroughPose(editor.session.level().camera, 300, 480));
+  EXPECT_EQ(editor.pose, lookThroughPose(editor.session.level().camera, editor.session.level().grid, 300, 480));
   toggleLookThrough(editor);
   for (int i = 0; i < 3; ++i) {
     moveCamera();
@@ -199,7 +202,7 @@ TEST(Editor, SelectionsThatAreGoneAreDropped) {
 
   Level level = editor.session.level();
   level.lights.resize(1);
-  level.camera.gridRows = 4;
+  level.grid.rows = 4;
   editor.session.edit(level);
   advance(editor, 0);
   EXPECT_EQ(editor.selection, Selection());
@@ -282,7 +285,7 @@ TEST(Editor, TreesAreMadeForWhatIsShown) {
   finish(editor);
   const auto hasTrees = [&] {
     advance(editor, 0);
-    return editor.updater.products().trees != nullptr;
+    return editor.updater.result().trees != nullptr;
   };
   EXPECT_FALSE(hasTrees()) << "vertex rays need none";
   editor.cell = GridCell{1, 2};
@@ -322,12 +325,12 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
   EXPECT_FALSE(currentConstruction(editor)) << "nothing is there yet";
   finish(editor);
   for (int i = 0; i < 3; ++i) {
-    const Products& products = editor.updater.products();
+    const LevelResult& products = editor.updater.result();
     const auto construction = currentConstruction(editor);
     ASSERT_TRUE(construction);
     const Level& level = editor.session.level();
     const Point original = products.original.mesh->positions[products.original.mesh->triangles[3][1]];
-    const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, original, level.sculpture.depthScale);
+    const VertexRay ray = makeVertexRay(makeVertexMap(level), original);
     EXPECT_EQ(construction->ray.original, original);
     EXPECT_EQ(construction->ray.sculpture, ray.sculpture);
     Level next = level;
@@ -337,7 +340,7 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
     advance(editor, 0.016);
   }
   Level flat = editor.session.level();
-  std::get<CylinderMirror>(flat.optic.shape).radius = 0;
+  changeShape<CylinderMirror>(flat.optic.shape(), [](auto& s) { s.radius = 0; });
   editor.session.change(flat);
   advance(editor, 0.016);
   EXPECT_FALSE(currentConstruction(editor)) << "there is no mirror";
@@ -352,7 +355,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
   openQuick(editor, "2-cylinder");
   EXPECT_EQ(shownSculpture(editor).sculpture, nullptr);
   finish(editor);
-  const Products& products = editor.updater.products();
+  const LevelResult& products = editor.updater.result();
   const Sculpture& whole = *products.sculpture.sculpture;
   EXPECT_EQ(shownSculpture(editor), products.sculpture);
   editor.display.morph = 0;
@@ -365,7 +368,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
     editor.display.morph = fraction;
     const PreparedSculpture on = shownSculpture(editor);
     EXPECT_EQ(on.sculpture->mesh.positions,
-              morphPoints(whole, products.level.optic, products.level.camera.eye, fraction));
+              morphPoints(whole, makeVertexMap(products.level), fraction));
     EXPECT_EQ(*on.prepared.normals,
               computeNormals(on.sculpture->mesh.positions, whole.mesh.triangles, *on.prepared.normalGroups));
     EXPECT_EQ(on.prepared.mesh.get(), &on.sculpture->mesh);
@@ -390,14 +393,14 @@ TEST(Editor, MorphFollowsADrag) {
     level.original.placement.position.x += 0.6;  // until a part of it is not mapped
     editor.session.change(level);
     advance(editor, 0.016);
-    const Sculpture& whole = *editor.updater.products().sculpture.sculpture;
+    const Sculpture& whole = *editor.updater.result().sculpture.sculpture;
     const PreparedSculpture shown = shownSculpture(editor);
     const Sculpture& on = *shown.sculpture;
     EXPECT_EQ(on.original, whole.original);
     EXPECT_EQ(on.status, whole.status);
     EXPECT_EQ(on.originalStatus, whole.originalStatus);
     EXPECT_EQ(on.mesh.triangles, whole.mesh.triangles);
-    EXPECT_EQ(on.mesh.positions, morphPoints(whole, level.optic, level.camera.eye, 0.7));
+    EXPECT_EQ(on.mesh.positions, morphPoints(whole, makeVertexMap(level), 0.7));
     int unmapped = 0;
     for (std::uint32_t t = 0; t < on.mesh.triangles.size(); ++t) {
       const Triangle& corners = on.mesh.triangles[t];
@@ -416,7 +419,7 @@ TEST(Editor, MorphFollowsADrag) {
       EXPECT_EQ(found, mapped) << t;
     }
     EXPECT_EQ(unmapped > 0,
-              whole.originalStatus[0] < editor.updater.products().original.mesh->positions.size());
+              whole.originalStatus[0] < editor.updater.result().original.mesh->positions.size());
     EXPECT_TRUE(i < 5 || unmapped > 0);
   }
 }
@@ -431,7 +434,7 @@ TEST(Editor, MorphTakesAnotherOriginal) {
   level.original.shape = SphereShape{1, 12};
   editor.session.edit(level);
   finish(editor);
-  const Sculpture& whole = *editor.updater.products().sculpture.sculpture;
+  const Sculpture& whole = *editor.updater.result().sculpture.sculpture;
   EXPECT_EQ(shownSculpture(editor).sculpture->mesh.triangles, whole.mesh.triangles);
   editor.display.morph = 0;
   EXPECT_EQ(shownSculpture(editor).sculpture->mesh.positions, whole.original);

@@ -9,6 +9,7 @@
 #include "edit/level_edits.h"
 #include "lesson_levels.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -28,7 +29,7 @@ class LessonRunTest : public ::testing::Test {
     Level level;
     std::get<BoxShape>(level.original.shape).segments = 2;
     level.sculpture.tolerancePixels = 1;
-    level.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}";
+    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}"; });
     folder_.save(level);
     openLevel(editor, folder_.path());
     editor.preview.size = 16;
@@ -75,7 +76,7 @@ TEST_F(LessonRunTest, TheMatchIsJudgedWhenItIsSettled) {
   EXPECT_FALSE(editor.lesson.done);
   const Level right = editor.session.level();
   change([](Level& level) {
-    level.optic.shape = PlaneMirror{{Point(-8, 0, 0), Point(0, 0, 0), Point(0, 0, 8), Point(-8, 0, 8)}};
+    level.optic.shape() = PlaneMirror{{Point(-8, 0, 0), Point(0, 0, 0), Point(0, 0, 8), Point(-8, 0, 8)}};
   });
   EXPECT_TRUE(editor.lesson.done);
   nextStep(editor);
@@ -90,14 +91,14 @@ TEST_F(LessonRunTest, TheMatchIsJudgedWhenItIsSettled) {
 TEST_F(LessonRunTest, AProblemIsNoMatch) {
   open(step("worse", R"([{"when": "matchBelow", "value": 0.5}])"));
   change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
-  ASSERT_TRUE(editor.updater.products().problem);
+  ASSERT_TRUE(editor.updater.result().problem);
   EXPECT_TRUE(editor.lesson.done);
 }
 
 TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
   open(step("free", R"([{"when": "hiddenShareBelow", "value": 0}, {"when": "movedEye"}])"));
   change([](Level& level) { level.sculpture.depthScale = 0.5; });
-  ASSERT_GT(editor.updater.products().match->report.hiddenShare, 0);
+  ASSERT_GT(editor.updater.result().match->report.hiddenShare, 0);
   change([](Level& level) { level.camera.eye = {0, 0, 1}; });  // in the mirror's plane
   EXPECT_FALSE(editor.lesson.done);
   change([](Level& level) { level.camera.target = level.camera.eye + Vector(0, -1, 0); });
@@ -106,16 +107,16 @@ TEST_F(LessonRunTest, WhereNothingIsSeenNothingIsDoneByHidingNothing) {
 
 TEST_F(LessonRunTest, IsThatOfTheLevelThatWasPasted) {
   open(step("first", R"([{"when": "movedEye"}])"));
-  const std::string own = editor.session.level().lesson;
+  const std::string own = editor.session.level().text->lesson;
   change([&](Level& level) {
-    level.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
-                   step("pasted", R"([{"when": "undone"}])") + "]}";
+    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
+                   step("pasted", R"([{"when": "undone"}])") + "]}"; });
   });
   EXPECT_EQ(editor.lesson.lesson.id, "other");
   editor.session.undo();
   evaluate(editor);
   EXPECT_EQ(editor.lesson.lesson.id, "test");
-  EXPECT_EQ(editor.session.level().lesson, own);
+  EXPECT_EQ(editor.session.level().text->lesson, own);
 }
 
 TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
@@ -238,7 +239,7 @@ TEST_F(LessonRunTest, EveryPartOfAMove) {
   for (int i = 0; i < 30; ++i) advance(editor, 0.1);
   const Level& level = editor.session.level();
   EXPECT_EQ(level.original.placement.position, Point(1, 4, 1));
-  EXPECT_LT(glm::length(middleOf(level.optic.shape) - Point(0, 0.5, 4)), 1e-12);
+  EXPECT_LT(glm::length(middleOf(level.optic.shape()) - Point(0, 0.5, 4)), 1e-12);
   EXPECT_EQ(level.camera.fovDegrees, 30);
   EXPECT_EQ(level.sculpture.tolerancePixels, 0);
   EXPECT_TRUE(std::holds_alternative<PawnShape>(level.original.shape));

@@ -35,7 +35,7 @@ std::vector<InstalledLesson> installedLessons() {
   std::vector<InstalledLesson> lessons;
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
     const Level level = loadLevel(entry.path).level;
-    lessons.push_back({entry.name, entry.path, parseLesson(level.lesson, entry.name)});
+    lessons.push_back({entry.name, entry.path, parseLesson(level.text->lesson, entry.name)});
   }
   return lessons;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "edit/edit_levels.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -88,10 +89,10 @@ TEST(FrameOf, UprightMirrorsHaveTheScenesAxes) {
   const GizmoFrame global;
   for (int i = 0; i < 3; ++i)
     EXPECT_LT(glm::length(axes()[std::size_t(i)] - global.axes[std::size_t(i)]), 1e-12);
-  level.optic.shape = CylinderMirror{{1, 2, 3}, {1, 2, 9}, 2};
+  level.optic.shape() = CylinderMirror{{1, 2, 3}, {1, 2, 9}, 2};
   for (int i = 0; i < 3; ++i)
     EXPECT_LT(glm::length(axes()[std::size_t(i)] - global.axes[std::size_t(i)]), 1e-12);
-  level.optic.shape = CylinderMirror{{1, 2, 9}, {1, 2, 3}, 2};
+  level.optic.shape() = CylinderMirror{{1, 2, 9}, {1, 2, 3}, 2};
   EXPECT_LT(glm::length(axes()[2] - Vector(0, 0, -1)), 1e-12);
 }
 
@@ -133,7 +134,7 @@ TEST(LevelEdits, EveryEditCanBeTakenBack) {
     const Level turned = rotated(level, selection, origin, axis, angle);
     EXPECT_LT(differenceOf(rotated(turned, selection, origin, axis, -angle), level), 1e-9);
     Vector factors(random.uniform(0.2, 4), random.uniform(0.2, 4), random.uniform(0.2, 4));
-    if (std::holds_alternative<CylinderMirror>(level.optic.shape)) factors.y = factors.x;
+    if (level.optic.shape().as<CylinderMirror>() != nullptr) factors.y = factors.x;
     if (scalesUniformly(level, selection)) factors = Vector(factors.x);
     const Level larger = scaled(level, selection, origin, factors);
     EXPECT_LT(differenceOf(scaled(larger, selection, origin, 1.0 / factors), level), 1e-9);
@@ -143,10 +144,10 @@ TEST(LevelEdits, EveryEditCanBeTakenBack) {
 TEST(Moved, MovesEveryPointOfTheThingAlike) {
   Level level;
   const Vector way(1, -2, 3);
-  const auto& corners = std::get<PlaneMirror>(level.optic.shape).corners;
+  const auto& corners = shapeAs<PlaneMirror>(level.optic.shape()).corners;
   const Level mirror = moved(level, {Part::mirror}, way);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(std::get<PlaneMirror>(mirror.optic.shape).corners[i], corners[i] + way);
+    EXPECT_EQ(shapeAs<PlaneMirror>(mirror.optic.shape()).corners[i], corners[i] + way);
   }
   EXPECT_EQ(moved(level, {Part::eye}, way).camera.eye, level.camera.eye + way);
   EXPECT_EQ(moved(level, {Part::eye}, way).camera.target, level.camera.target)
@@ -156,7 +157,7 @@ TEST(Moved, MovesEveryPointOfTheThingAlike) {
 
 TEST(Moved, EndsWhereCoordinatesEndWithoutBendingAnything) {
   const Level level, far = moved(level, {Part::mirror}, {1e9, 0, 0});
-  const auto& corners = std::get<PlaneMirror>(far.optic.shape).corners;
+  const auto& corners = shapeAs<PlaneMirror>(far.optic.shape()).corners;
   EXPECT_EQ(corners[1].x, 1e6);
   EXPECT_EQ(corners[1].x - corners[0].x, 16);
 }
@@ -194,16 +195,16 @@ TEST(Rotated, TurnsTheAimAroundTheEye) {
 
 TEST(Scaled, ChangesSizesAlongTheThingsOwnAxes) {
   Level level;
-  level.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  level.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
   const auto cylinder = [&](const Vector& f) {
-    return std::get<CylinderMirror>(scaled(level, {Part::mirror}, {0, 0, 5}, f).optic.shape);
+    return shapeAs<CylinderMirror>(scaled(level, {Part::mirror}, {0, 0, 5}, f).optic.shape());
   };
   EXPECT_EQ(cylinder({2, 1, 1}), (CylinderMirror{{0, 0, 0}, {0, 0, 10}, 6}));
   EXPECT_EQ(cylinder({1, 0.5, 1}), (CylinderMirror{{0, 0, 0}, {0, 0, 10}, 1.5}));
   EXPECT_EQ(cylinder({1, 1, 0.5}), (CylinderMirror{{0, 0, 2.5}, {0, 0, 7.5}, 3}));
-  level.optic.shape = SphereMirror{{0, 0, 4}, 4};
+  level.optic.shape() = SphereMirror{{0, 0, 4}, 4};
   const Level larger = scaled(level, {Part::mirror}, {0, 0, 4}, {1, 1.5, 1});
-  EXPECT_EQ(std::get<SphereMirror>(larger.optic.shape), (SphereMirror{{0, 0, 4}, 6}));
+  EXPECT_EQ(shapeAs<SphereMirror>(larger.optic.shape()), (SphereMirror{{0, 0, 4}, 6}));
   EXPECT_EQ(scaled(level, {Part::sculpture}, {0, 0, 0}, Vector(0.5)).sculpture.depthScale, 0.5);
   EXPECT_EQ(scaled(level, {Part::sculpture}, {0, 0, 0}, Vector(0)).sculpture.depthScale, 0.01);
   EXPECT_EQ(scaled(level, {Part::sculpture}, {0, 0, 0}, Vector(1e9)).sculpture.depthScale, 100);
@@ -245,7 +246,7 @@ TEST(BoxOf, HoldsTheThing) {
   forLevels([](const Level& level, const Selection& selection, Random&) {
     if (selection.part != Part::mirror) return;
     const Box box = boxOf(level, selection, {}, {}),
-              exact = boundingBox(tessellate(level.optic.shape, 256).positions);
+              exact = boundingBox(tessellate(level.optic.shape(), 256).positions);
     EXPECT_LT(glm::length(box.min - exact.min) + glm::length(box.max - exact.max), 0.01);
   });
   EXPECT_TRUE(boxOf({}, {}, {}, {}).empty());

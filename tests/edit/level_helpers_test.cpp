@@ -11,6 +11,7 @@
 #include "geometry/shapes.h"
 #include "level/level_json.h"
 #include "pipeline/original.h"
+#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
@@ -23,7 +24,7 @@ PointArray place(const Level& level, const Mesh& shape) {
 
 std::size_t unmapped(const Level& level, const PointArray& points) {
   MappedPoints mapped;
-  mapPointsThrough(level.optic, level.camera.eye, points, level.sculpture.depthScale, mapped);
+  mapPointsThrough(makeVertexMap(level), points, mapped);
   return points.size() - countStatus(mapped.status)[0];
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/shapes.h"
 #include "pipeline/original.h"
 #include "pipeline/stages.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -20,10 +21,10 @@ Box boxOfOriginal(const Level& level) {
 
 // The sum over both ends of how far a point is from the surface does not matter; only the nearest is asked
 // for.
-double distanceToSurface(const MirrorShape& shape, const Point& p) {
-  if (const auto* sphere = std::get_if<SphereMirror>(&shape))
+double distanceToSurface(const Shape& shape, const Point& p) {
+  if (const auto* sphere = shape.as<SphereMirror>())
     return glm::length(p - sphere->centre) - sphere->radius;
-  const auto& tube = std::get<CylinderMirror>(shape);
+  const auto& tube = shapeAs<CylinderMirror>(shape);
   const Direction axis = glm::normalize(tube.top - tube.bottom);
   return glm::length(glm::cross(p - tube.bottom, axis)) - tube.radius;
 }
@@ -36,30 +37,30 @@ TEST(EyeMovedOutside, PutsTheEyeARadiusBeforeTheMirror) {
       Level level = makeRandomLevel(kind, random);
       const Box box = boxOfOriginal(level);
       EXPECT_EQ(eyeMovedOutside(level, box), level) << "nothing is wrong";
-      if (const auto* plane = std::get_if<PlaneMirror>(&level.optic.shape)) {
+      if (const auto* plane = level.optic.shape().as<PlaneMirror>()) {
         level.camera.eye = glm::mix(plane->corners[0], plane->corners[1], 2.0);
-      } else if (const auto* tube = std::get_if<CylinderMirror>(&level.optic.shape)) {
+      } else if (const auto* tube = level.optic.shape().as<CylinderMirror>()) {
         level.camera.eye = tube->bottom + (seed % 4 ? random.uniform(0, 0.9) * tube->radius : 0.0) *
                                               perpendicular(glm::normalize(tube->top - tube->bottom));
       } else {
-        const auto& sphere = std::get<SphereMirror>(level.optic.shape);
+        const auto& sphere = shapeAs<SphereMirror>(level.optic.shape());
         level.camera.eye =
             sphere.centre + (seed % 4 ? random.uniform(0, 0.9) * sphere.radius : 0.0) * random.direction();
       }
-      ASSERT_TRUE(findEyeProblem(level.optic.shape, level.camera.eye));
+      ASSERT_TRUE(findEyeProblem(level.optic.shape(), level.camera.eye));
       const Level repaired = eyeMovedOutside(level, box);
-      EXPECT_FALSE(findEyeProblem(repaired.optic.shape, repaired.camera.eye));
+      EXPECT_FALSE(findEyeProblem(repaired.optic.shape(), repaired.camera.eye));
       if (kind == ShapeKind::plane) continue;
-      const double radius = kind == ShapeKind::sphere ? std::get<SphereMirror>(level.optic.shape).radius
-                                                      : std::get<CylinderMirror>(level.optic.shape).radius;
-      EXPECT_NEAR(distanceToSurface(repaired.optic.shape, repaired.camera.eye), radius, 1e-6 * radius);
+      const double radius = kind == ShapeKind::sphere ? shapeAs<SphereMirror>(level.optic.shape()).radius
+                                                      : shapeAs<CylinderMirror>(level.optic.shape()).radius;
+      EXPECT_NEAR(distanceToSurface(repaired.optic.shape(), repaired.camera.eye), radius, 1e-6 * radius);
     }
   }
 }
 
 TEST(EyeMovedOutside, ChoosesTheSideAwayFromTheOriginal) {
   Level level;
-  level.optic.shape = SphereMirror{{0, 0, 4}, 4};
+  level.optic.shape() = SphereMirror{{0, 0, 4}, 4};
   level.camera.eye = {0, 1, 4};
   const Level repaired = eyeMovedOutside(level, {{-1, 4, 3}, {1, 6, 5}});
   EXPECT_LT(glm::length(repaired.camera.eye - Point(0, -8, 4)), 1e-12);
@@ -78,7 +79,7 @@ TEST(OriginalMovedBehind, LeavesNoVertexInFrontOfTheMirror) {
       changed += repaired != level;
       const auto original = placeOriginal(makeBox({2, 1, 1}, 4), false, repaired.original.placement);
       MappedPoints mapped;
-      mapPointsThrough(repaired.optic, repaired.camera.eye, original->positions, 1, mapped);
+      mapPointsThrough({repaired.optic, repaired.camera.eye, 1, {}}, original->positions, mapped);
       EXPECT_EQ(countStatus(mapped.status)[std::size_t(PathStatus::inFrontOfMirror)], 0u);
     }
   }

@@ -15,6 +15,7 @@
 #include "geometry/shapes.h"
 #include "pipeline/changing_levels.h"
 #include "raytrace/render.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -52,9 +53,9 @@ bool waitUntil(const Condition& condition) {
 }
 
 /// Everything at rest is what the pipeline makes of the level when nothing has gone before.
-void expectEvaluated(const Products& products, const Session& session, const UpdateOptions& options) {
+void expectEvaluated(const LevelResult& products, const Session& session, const UpdateOptions& options) {
   Evaluator evaluator;
-  const Settled wanted = *evaluator.evaluate({session.level(), session.path(), options.previewSize}, 2);
+  const LevelResult wanted = *evaluator.evaluate({session.level(), session.path(), options.previewSize}, 2);
   EXPECT_EQ(products.level, session.level());
   EXPECT_EQ(*products.shape, *wanted.shape);
   EXPECT_EQ(*products.original.mesh, *wanted.original.mesh);
@@ -72,15 +73,15 @@ void expectEvaluated(const Products& products, const Session& session, const Upd
   ASSERT_EQ(products.previews.difference == nullptr, wanted.previews.difference == nullptr);
   EXPECT_TRUE(!wanted.previews.difference || *products.previews.difference == *wanted.previews.difference);
   EXPECT_TRUE(products.refined && products.complete);
-  const Camera& camera = session.level().camera;
+  const PixelGrid& grid = session.level().grid;
   ASSERT_TRUE(products.scene && products.screen);
   EXPECT_EQ(products.scene->input, makeReflectionScene(session.level(), products.sculpture));
-  EXPECT_EQ(products.screen->width, camera.gridColumns);
-  EXPECT_EQ(products.screen->height, camera.gridRows);
+  EXPECT_EQ(products.screen->width, grid.columns);
+  EXPECT_EQ(products.screen->height, grid.rows);
 }
 
 /// What is shown in the frame of a change: all of it of the level as it is now.
-void expectFollowing(const Products& products, const Level& level) {
+void expectFollowing(const LevelResult& products, const Level& level) {
   EXPECT_EQ(products.level, level);
   EXPECT_FALSE(products.refined || products.complete);
   EXPECT_EQ(*products.original.mesh,
@@ -88,7 +89,7 @@ void expectFollowing(const Products& products, const Level& level) {
   ASSERT_TRUE(products.previews.reflection && products.previews.original);
   const int width = products.previews.reflection->width, height = products.previews.reflection->height;
   EXPECT_LE(std::max(width, height), 64) << "coarse";
-  EXPECT_EQ(pictureSize(level.camera, std::max(width, height)), std::pair(width, height));
+  EXPECT_EQ(pictureSize(level.grid, std::max(width, height)), std::pair(width, height));
   EXPECT_EQ(products.previews.original->width, width);
   EXPECT_EQ(products.previews.original->height, height);
   ASSERT_TRUE(products.scene && products.screen);
@@ -101,7 +102,7 @@ void expectFollowing(const Products& products, const Level& level) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < sculpture.original.size(); ++i) {
     const MappedPoint mapped =
-        mapPoint(level.optic, level.camera.eye, sculpture.original[i], level.sculpture.depthScale);
+        mapPoint(makeVertexMap(level), sculpture.original[i]);
     wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
   }
   EXPECT_EQ(wrong, 0u);
@@ -114,8 +115,8 @@ TEST(LiveUpdater, FinishedProductsAreThoseOfThePipeline) {
     openQuick(session, name);
     LiveUpdater updater({}, 2);
     updater.finish(session, quick);
-    expectEvaluated(updater.products(), session, quick);
-    EXPECT_EQ(updater.products().trees, nullptr);
+    expectEvaluated(updater.result(), session, quick);
+    EXPECT_EQ(updater.result().trees, nullptr);
     EXPECT_FALSE(updater.update(session, quick)) << "nothing is new";
   }
 }
@@ -124,13 +125,13 @@ TEST(LiveUpdater, TreesAreTheRaysOfTheGridWhenAskedFor) {
   Session session;
   openQuick(session, "2-cylinder");
   Level level = session.level();
-  level.camera.gridColumns = 5;
-  level.camera.gridRows = 3;
+  level.grid.columns = 5;
+  level.grid.rows = 3;
   session.edit(level);
   LiveUpdater updater({}, 2);
   const UpdateOptions withTrees{40, true};
   updater.finish(session, withTrees);
-  const Products& products = updater.products();
+  const LevelResult& products = updater.result();
   ASSERT_TRUE(products.trees);
   ASSERT_EQ(products.trees->size(), 15u);
   const ImageRequest request = makeImageRequest(level, 5, 3, 1);
@@ -163,13 +164,13 @@ TEST(LiveUpdater, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
       for (int i = 0; i < 8; ++i) {
         session.change(changed(start, random, i < 4 ? 0.3 : 4));
         EXPECT_TRUE(updater.update(session, quick));
-        expectFollowing(updater.products(), session.level());
-        problems += updater.products().problem.has_value();
+        expectFollowing(updater.result(), session.level());
+        problems += updater.result().problem.has_value();
         EXPECT_GT(updater.liveTimes().total(), 0);
       }
       session.finishChange();
       updater.finish(session, quick);
-      expectEvaluated(updater.products(), session, quick);
+      expectEvaluated(updater.result(), session, quick);
     }
   }
   EXPECT_GT(problems, 0);
@@ -181,20 +182,20 @@ TEST(LiveUpdater, OriginalsPictureIsTakenInTheFrameOnlyWhenWanted) {
   LiveUpdater updater({}, 2);
   const UpdateOptions reflectionOnly{40, false, false};
   updater.finish(session, reflectionOnly);
-  expectEvaluated(updater.products(), session, reflectionOnly);
+  expectEvaluated(updater.result(), session, reflectionOnly);
   Level level = session.level();
   for (const bool wanted : {false, true, false}) {
     level.camera.eye.x += 0.1;
     session.change(level);
     updater.update(session, {40, false, wanted});
-    const Products& products = updater.products();
+    const LevelResult& products = updater.result();
     EXPECT_TRUE(products.match && products.previews.reflection);
     EXPECT_EQ(products.previews.original != nullptr, wanted) << "never the one of another level";
     EXPECT_EQ(products.previews.difference != nullptr, wanted);
   }
   session.finishChange();
   updater.finish(session, reflectionOnly);
-  expectEvaluated(updater.products(), session, reflectionOnly);
+  expectEvaluated(updater.result(), session, reflectionOnly);
 }
 
 TEST(LiveUpdater, TimesOfTheLastMoveStayWhenNothingMoves) {
@@ -223,9 +224,9 @@ TEST(LiveUpdater, CancelledDragSettlesWhereItBegan) {
   updater.update(session, quick);
   session.cancelChange();
   updater.update(session, quick);
-  expectFollowing(updater.products(), session.level());
+  expectFollowing(updater.result(), session.level());
   updater.finish(session, quick);
-  expectEvaluated(updater.products(), session, quick);
+  expectEvaluated(updater.result(), session, quick);
 }
 
 TEST(LiveUpdater, PauseInADragGetsItsSettledState) {
@@ -243,20 +244,20 @@ TEST(LiveUpdater, PauseInADragGetsItsSettledState) {
       EXPECT_GE(*seconds, 0);
       EXPECT_LE(*seconds, 0.25);
     }
-    EXPECT_FALSE(updater.products().complete);
-    while (!updater.products().complete) {
+    EXPECT_FALSE(updater.result().complete);
+    while (!updater.result().complete) {
       const bool busy = updater.busy();
       updater.update(session, quick);
-      ASSERT_TRUE(busy || updater.products().complete) << "a window would have fallen asleep";
+      ASSERT_TRUE(busy || updater.result().complete) << "a window would have fallen asleep";
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_TRUE(session.changing());
     EXPECT_EQ(updater.secondsUntilDue(), std::nullopt);
-    expectEvaluated(updater.products(), session, quick);
+    expectEvaluated(updater.result(), session, quick);
     level.sculpture.depthScale *= 0.9;
     session.change(level);
     updater.update(session, quick);
-    expectFollowing(updater.products(), level);
+    expectFollowing(updater.result(), level);
   }
 }
 
@@ -267,9 +268,9 @@ TEST(LiveUpdater, ProblemComesAndGoes) {
   updater.finish(session, quick);
   const Level good = session.level();
   Level inside = good;
-  inside.camera.eye = std::get<SphereMirror>(good.optic.shape).centre + Vector(0, 0, 0.5);
+  inside.camera.eye = shapeAs<SphereMirror>(good.optic.shape()).centre + Vector(0, 0, 0.5);
   Level flat = good;
-  std::get<SphereMirror>(flat.optic.shape).radius = 0;
+  changeShape<SphereMirror>(flat.optic.shape(), [](auto& s) { s.radius = 0; });
   Level tiny = good;
   tiny.original.placement.scale = Vector(0);
   Level beside = good;
@@ -279,26 +280,26 @@ TEST(LiveUpdater, ProblemComesAndGoes) {
     for (const Level* level : {&bad, &good, &bad, &good}) {
       session.change(*level);
       updater.update(session, quick);
-      expectFollowing(updater.products(), *level);
-      EXPECT_EQ(updater.products().problem.has_value(), level == &bad);
+      expectFollowing(updater.result(), *level);
+      EXPECT_EQ(updater.result().problem.has_value(), level == &bad);
     }
     session.finishChange();
     updater.finish(session, quick);
-    expectEvaluated(updater.products(), session, quick);
+    expectEvaluated(updater.result(), session, quick);
     // ... and with a rest in it.
     for (const Level* level : {&bad, &good}) {
       session.edit(*level);
       updater.update(session, quick);
-      EXPECT_EQ(updater.products().problem.has_value(), level == &bad);
+      EXPECT_EQ(updater.result().problem.has_value(), level == &bad);
       updater.finish(session, quick);
-      expectEvaluated(updater.products(), session, quick);
+      expectEvaluated(updater.result(), session, quick);
     }
     session.edit(bad);
     updater.finish(session, quick);
     session.change(good);
     updater.update(session, quick);
-    expectFollowing(updater.products(), good);
-    EXPECT_EQ(updater.products().problem, std::nullopt);
+    expectFollowing(updater.result(), good);
+    EXPECT_EQ(updater.result().problem, std::nullopt);
     session.finishChange();
     updater.finish(session, quick);
   }
@@ -348,14 +349,14 @@ TEST(LiveUpdater, WhateverHappensMeanwhileTheEndIsRight) {
     Level level = session.level();
     if (level.original.shape == shapes[4]) {
       updater.finish(session, quick);
-      ASSERT_TRUE(updater.products().problem);
-      EXPECT_NE(updater.products().problem->find("nothing.obj"), std::string::npos);
+      ASSERT_TRUE(updater.result().problem);
+      EXPECT_NE(updater.result().problem->find("nothing.obj"), std::string::npos);
       level.original.shape = shapes[0];
     }
-    level.title = "the last one";  // whatever was cancelled
+    level.text.edit([&](LevelText& text) { text.title = "the last one"; });  // whatever was cancelled
     session.edit(level);
     updater.finish(session, quick);
-    expectEvaluated(updater.products(), session, quick);
+    expectEvaluated(updater.result(), session, quick);
   }
 }
 
@@ -369,10 +370,10 @@ TEST(LiveUpdater, LevelOpenedWhileTheWorkerIsBusyTakesOver) {
   updater.update(session, quick);
   openQuick(session, "1-plane");
   EXPECT_TRUE(updater.update(session, quick));
-  EXPECT_EQ(updater.products().level, session.level());
-  EXPECT_EQ(updater.products().sculpture.sculpture, nullptr) << "nothing of the other level is shown";
+  EXPECT_EQ(updater.result().level, session.level());
+  EXPECT_EQ(updater.result().sculpture.sculpture, nullptr) << "nothing of the other level is shown";
   updater.finish(session, quick);
-  expectEvaluated(updater.products(), session, quick);
+  expectEvaluated(updater.result(), session, quick);
 }
 
 TEST(LiveUpdater, MeshFileThatFailsIsAProblemAndLaterRecovers) {
@@ -385,13 +386,13 @@ TEST(LiveUpdater, MeshFileThatFailsIsAProblemAndLaterRecovers) {
   for (int round = 0; round < 2; ++round) {
     session.edit(bad);
     updater.finish(session, quick);
-    ASSERT_TRUE(updater.products().problem);
-    EXPECT_NE(updater.products().problem->find("nothing.obj"), std::string::npos)
-        << *updater.products().problem;
-    EXPECT_FALSE(updater.products().refined);
+    ASSERT_TRUE(updater.result().problem);
+    EXPECT_NE(updater.result().problem->find("nothing.obj"), std::string::npos)
+        << *updater.result().problem;
+    EXPECT_FALSE(updater.result().refined);
     session.undo();
     updater.finish(session, quick);
-    expectEvaluated(updater.products(), session, quick);
+    expectEvaluated(updater.result(), session, quick);
   }
 }
 
@@ -423,10 +424,10 @@ TEST_F(StudioFile, FailureOfALevelIsNotTheNextOnes) {
   ASSERT_TRUE(waitUntil([&] { return wakes > 0; })) << "it has failed, and nobody has looked yet";
   openQuick(session, "1-plane");
   updater.update(session, quick);
-  EXPECT_EQ(updater.products().problem, std::nullopt);
-  EXPECT_FALSE(updater.products().complete);
+  EXPECT_EQ(updater.result().problem, std::nullopt);
+  EXPECT_FALSE(updater.result().complete);
   updater.finish(session, quick);
-  expectEvaluated(updater.products(), session, quick);
+  expectEvaluated(updater.result(), session, quick);
 }
 
 TEST_F(StudioFile, OpenedAgainReadsItsMeshAgain) {
@@ -434,15 +435,15 @@ TEST_F(StudioFile, OpenedAgainReadsItsMeshAgain) {
   session.open(levelPath());
   LiveUpdater updater({}, 2);
   updater.finish(session, quick);
-  ASSERT_TRUE(updater.products().problem) << "there is no mesh yet";
-  EXPECT_EQ(updater.products().sculpture.sculpture, nullptr);
+  ASSERT_TRUE(updater.result().problem) << "there is no mesh yet";
+  EXPECT_EQ(updater.result().sculpture.sculpture, nullptr);
   for (const int segments : {3, 5}) {
     writeBox(segments);
     session.open(levelPath());
     updater.finish(session, quick);
-    EXPECT_EQ(updater.products().problem, std::nullopt);
-    EXPECT_EQ(updater.products().shape->triangles.size(), std::size_t(12 * segments * segments));
-    expectEvaluated(updater.products(), session, quick);
+    EXPECT_EQ(updater.result().problem, std::nullopt);
+    EXPECT_EQ(updater.result().shape->triangles.size(), std::size_t(12 * segments * segments));
+    expectEvaluated(updater.result(), session, quick);
   }
 }
 
@@ -452,8 +453,8 @@ TEST(LiveUpdater, AnotherPreviewSizeIsNotCompleteUntilItIsThere) {
   LiveUpdater updater({}, 2);
   for (const int size : {32, 64, 0, 32}) {
     updater.finish(session, {size, false});
-    EXPECT_EQ(updater.products().previews.reflection->width, size > 0 ? size : 8);
-    expectEvaluated(updater.products(), session, {size, false});
+    EXPECT_EQ(updater.result().previews.reflection->width, size > 0 ? size : 8);
+    expectEvaluated(updater.result(), session, {size, false});
   }
 }
 
@@ -471,15 +472,15 @@ TEST(LiveUpdater, CancelStopsUntilTheLevelChanges) {
     updater.update(session, quick);
     EXPECT_FALSE(updater.busy());
   }
-  EXPECT_FALSE(updater.products().complete);
+  EXPECT_FALSE(updater.result().complete);
   openQuick(session, "3-sphere");
   updater.update(session, quick);
   updater.cancel();
   level = session.level();
-  level.title = "changed";
+  level.text.edit([&](LevelText& text) { text.title = "changed"; });
   session.edit(level);
-  ASSERT_TRUE(updateUntil(updater, session, quick, [&] { return updater.products().complete; }));
-  expectEvaluated(updater.products(), session, quick);
+  ASSERT_TRUE(updateUntil(updater, session, quick, [&] { return updater.result().complete; }));
+  expectEvaluated(updater.result(), session, quick);
 }
 
 TEST(LiveUpdater, FinishAfterCancelFinishes) {
@@ -489,7 +490,7 @@ TEST(LiveUpdater, FinishAfterCancelFinishes) {
   updater.update(session, quick);
   updater.cancel();
   updater.finish(session, quick);
-  expectEvaluated(updater.products(), session, quick);
+  expectEvaluated(updater.result(), session, quick);
 }
 
 TEST(LiveUpdater, WakesWhenThereIsSomethingToTake) {
@@ -500,7 +501,7 @@ TEST(LiveUpdater, WakesWhenThereIsSomethingToTake) {
   updater.update(session, quick);
   int taken = 0;
   // As a window does: it looks only when woken.
-  while (!updater.products().complete) {
+  while (!updater.result().complete) {
     ASSERT_TRUE(waitUntil([&] { return wakes > taken; }));
     taken = wakes;
     updater.update(session, quick);
@@ -517,7 +518,7 @@ TEST(LiveUpdater, LargeOriginalsDoNotFollowInTheFrame) {
   LiveUpdater updater({}, 2);
   const UpdateOptions small{16, false};
   updater.finish(session, small);
-  const Products& products = updater.products();
+  const LevelResult& products = updater.result();
   ASSERT_GT(products.shape->positions.size(), LiveUpdater::liveVertexLimit);
   ASSERT_TRUE(waitUntil([&] { return !updater.busy(); }));
   EXPECT_TRUE(products.refined && products.match);

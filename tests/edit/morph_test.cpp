@@ -33,7 +33,7 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
       Level level = makeRandomLevel(kind, random);
       level.sculpture.depthScale = random.uniform(0.2, 2);
       const Sculpture sculpture = makeTestSculpture(level, 4);
-      const auto at = [&](double t) { return morphPoints(sculpture, level.optic, level.camera.eye, t, 2); };
+      const auto at = [&](double t) { return morphPoints(sculpture, makeVertexMap(level), t, 2); };
       EXPECT_EQ(at(0), sculpture.original);
       EXPECT_EQ(at(1), sculpture.mesh.positions);
       EXPECT_EQ(at(-1), sculpture.original);
@@ -49,10 +49,10 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
         }
         ++mapped;
         const VertexRay ray =
-            makeVertexRay(level.optic, level.camera.eye, sculpture.original[i], level.sculpture.depthScale);
-        const double in = ray.distance, out = glm::length(ray.sculpture - ray.mirror), gone = t * (in + out);
-        const Point wanted = gone < in ? ray.original + gone * glm::normalize(ray.mirror - ray.original)
-                                       : ray.mirror + (gone - in) * ray.reflected;
+            makeVertexRay(makeVertexMap(level), sculpture.original[i]);
+        const double in = ray.distance, out = glm::length(ray.sculpture - ray.legs.back().start), gone = t * (in + out);
+        const Point wanted = gone < in ? ray.original + gone * glm::normalize(ray.legs.back().start - ray.original)
+                                       : ray.legs.back().start + (gone - in) * ray.legs.back().direction;
         EXPECT_LT(glm::length(points[i] - wanted), 1e-9 * (1 + in + out));
       }
     }
@@ -65,8 +65,8 @@ TEST(MorphPoints, AreTheSameForEveryNumberOfThreads) {
   Random random(1);
   const Level level = makeRandomLevel(ShapeKind::cylinder, random);
   const Sculpture sculpture = makeTestSculpture(level, 60);
-  const PointArray one = morphPoints(sculpture, level.optic, level.camera.eye, 0.4, 1);
-  EXPECT_EQ(morphPoints(sculpture, level.optic, level.camera.eye, 0.4, 4), one);
+  const PointArray one = morphPoints(sculpture, makeVertexMap(level), 0.4, 1);
+  EXPECT_EQ(morphPoints(sculpture, makeVertexMap(level), 0.4, 4), one);
 }
 
 TEST(MorphPoints, KeepUpWithASlider) {
@@ -76,7 +76,7 @@ TEST(MorphPoints, KeepUpWithASlider) {
   double best = 1e9;
   for (int i = 0; i < 5; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    morphPoints(sculpture, level.optic, level.camera.eye, 0.3 + 0.1 * i, 2);
+    morphPoints(sculpture, makeVertexMap(level), 0.3 + 0.1 * i, 2);
     best = std::min(
         best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
@@ -88,11 +88,11 @@ TEST(MorphPoints, AnotherMirrorDoesNoHarm) {
   const Sculpture sculpture = makeTestSculpture({}, 4);
   for (const Level& level : makeAbsurdLevels()) {
     for (const Point& eye : {level.camera.eye, sculpture.original[0]}) {
-      const PointArray points = morphPoints(sculpture, level.optic, eye, 0.5);
+      const PointArray points = morphPoints(sculpture, {level.optic, eye, 1, {}}, 0.5);
       for (std::size_t i = 0; i < points.size(); ++i) EXPECT_TRUE(isFinite(points[i]));
     }
   }
-  EXPECT_TRUE(morphPoints({}, {}, {}, 0.5).empty());
+  EXPECT_TRUE(morphPoints({}, {}, 0.5).empty());
 }
 
 }  // namespace

@@ -107,16 +107,16 @@ TEST(Pick, FindsTheCellsOfThePixelGrid) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Level level;
-    level.camera.gridColumns = random.integer(1, 64);
-    level.camera.gridRows = random.integer(1, 64);
-    level.camera.screenDistance = random.uniform(0.5, 2);
+    level.grid.columns = random.integer(1, 64);
+    level.grid.rows = random.integer(1, 64);
+    level.grid.distance = random.uniform(0.5, 2);
     level.camera.fovDegrees = random.uniform(20, 120);
     Made made(level);
-    const GridCell cell{random.integer(0, level.camera.gridColumns - 1),
-                        random.integer(0, level.camera.gridRows - 1)};
-    const Projection grid(level.camera, level.camera.gridColumns, level.camera.gridRows);
+    const GridCell cell{random.integer(0, level.grid.columns - 1),
+                        random.integer(0, level.grid.rows - 1)};
+    const Projection grid(level.camera, level.grid.columns, level.grid.rows);
     const Ray ray = grid.rayThrough({cell.column + 0.5, cell.row + 0.5});
-    const Point middle = ray.at(level.camera.screenDistance / glm::dot(ray.direction, grid.frame().forward));
+    const Point middle = ray.at(level.grid.distance / glm::dot(ray.direction, grid.frame().forward));
     const ViewPose pose{level.camera.eye + Vector(random.uniform(-3, 3), -8, 3), level.camera.target};
     EXPECT_FALSE(made.at(pose, middle).cell) << "not shown";
     made.display.rtCamera = true;
@@ -135,7 +135,7 @@ TEST(Pick, TheTopRowIsZero) {
   Level level;
   const Projection grid(level.camera, 8, 8);
   const auto hit = intersectGrid(
-      level.camera, {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
+      level.camera, level.grid, {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell.row, 0);
 }

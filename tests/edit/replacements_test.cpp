@@ -8,15 +8,17 @@
 #include "geometry/shapes.h"
 #include "level/level_json.h"
 #include "pipeline/original.h"
+#include "optics/shape_table.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
 
 using namespace testing;
 
-double widthOf(const MirrorShape& shape) {
-  const auto* tube = std::get_if<CylinderMirror>(&shape);
-  return tube ? 2 * tube->radius : 2 * std::get<SphereMirror>(shape).radius;
+double widthOf(const Shape& shape) {
+  const auto* tube = shape.as<CylinderMirror>();
+  return tube ? 2 * tube->radius : 2 * shapeAs<SphereMirror>(shape).radius;
 }
 
 TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
@@ -27,10 +29,10 @@ TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
                      std::to_string(seed));
         Random random(seed);
         const Level level = makeRandomLevel(from, random);
-        const MirrorShape& old = level.optic.shape;
-        const MirrorShape made = mirrorOfKind(to, old, level.camera.eye);
-        ASSERT_EQ(made.index(), to);
-        if (old.index() == to) {
+        const Shape& old = level.optic.shape();
+        const Shape made = mirrorOfKind(to, old, level.camera.eye);
+        ASSERT_EQ(shapeIndex(made), to);
+        if (shapeIndex(old) == to) {
           EXPECT_EQ(made, old);
           continue;
         }
@@ -51,18 +53,18 @@ TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
 TEST(MirrorOfKind, OfTheLevelsMirrorIsAsWideAndHigh) {
   const PlaneMirror plane{{Point(-4, 0, 0), Point(4, 0, 0), Point(4, 0, 10), Point(-4, 0, 10)}};
   const Point eye(0, -40, 5);
-  const auto tube = std::get<CylinderMirror>(mirrorOfKind(1, plane, eye));
+  const auto tube = shapeAs<CylinderMirror>(mirrorOfKind(1, plane, eye));
   EXPECT_EQ(tube, (CylinderMirror{{0, 0, 0}, {0, 0, 10}, 4}));
-  EXPECT_EQ(std::get<SphereMirror>(mirrorOfKind(2, tube, eye)), (SphereMirror{{0, 0, 5}, 4}));
-  const auto back = std::get<PlaneMirror>(mirrorOfKind(0, tube, eye));
+  EXPECT_EQ(shapeAs<SphereMirror>(mirrorOfKind(2, tube, eye)), (SphereMirror{{0, 0, 5}, 4}));
+  const auto back = shapeAs<PlaneMirror>(mirrorOfKind(0, tube, eye));
   for (int i = 0; i < 4; ++i) EXPECT_LT(glm::length(back.corners[i] - plane.corners[i]), 1e-12) << i;
 }
 
 TEST(MirrorOfKind, IsSoundWhateverTheOldOneIs) {
   for (const Level& level : makeAbsurdLevels()) {
     for (std::size_t to = 0; to < 3; ++to) {
-      const MirrorShape made = mirrorOfKind(to, level.optic.shape, level.camera.eye);
-      if (to != level.optic.shape.index()) {
+      const Shape made = mirrorOfKind(to, level.optic.shape(), level.camera.eye);
+      if (to != shapeIndex(level.optic.shape())) {
         EXPECT_EQ(findShapeProblem(made), std::nullopt) << to;
       }
     }

@@ -22,6 +22,7 @@
 #include "level/level_json.h"
 #include "level/random_level.h"
 #include "pipeline/original.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -73,7 +74,7 @@ TEST(SessionFiles, RandomLevelsAreTheSameAfterSavingAndOpening) {
     other.open(folder / "level.json");
     EXPECT_EQ(other.level(), session.level());
     EXPECT_EQ(other.level().optic, level.optic);
-    EXPECT_EQ(other.level().unknownKeys, level.unknownKeys);
+    EXPECT_EQ(other.level().text->unknownKeys, level.text->unknownKeys);
     EXPECT_EQ(formatLevel(other.level()), readAll(folder / "level.json"));
   }
 }
@@ -309,7 +310,7 @@ TEST(FailedSave, OfALevelThatCouldNotBeOpenedSaysWhy) {
   Session session;
   session.startNew(numbered(0));
   Level broken;
-  broken.optic.shape = SphereMirror{{0, 0, 0}, 0};
+  broken.optic.shape() = SphereMirror{{0, 0, 0}, 0};
   session.edit(broken);
   expectNothingLost(session, folder / "", folder / "a.json", "radius");
   EXPECT_FALSE(fs::exists(folder / "a.json"));
@@ -320,7 +321,7 @@ TEST(KilledSave, LeavesOneOfTheCompleteVersions) {
   const TemporaryFolder folder;
   const std::string path = folder / "level.json";
   Level versions[2] = {numbered(1), numbered(2)};
-  versions[1].description = std::string(200000, 'x');  // more than one write
+  versions[1].text.edit([](LevelText& text) { text.description = std::string(200000, 'x'); });  // more than one write
   saveLevel(path, versions[0]);
   int seen[2] = {0, 0};
   for (int round = 0; round < 60; ++round) {

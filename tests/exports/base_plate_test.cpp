@@ -56,13 +56,13 @@ TEST(BasePlate, IsLetInBelowASculptureThatStandsOnTheTable) {
 }
 
 TEST(BasePlate, IsRefusedWhereTheMirrorStands) {
-  const FinishedLevel& sphere = testing::finishedLevel("3-sphere");
+  const LevelResult& sphere = testing::finishedLevel("3-sphere");
   EXPECT_THAT(errorOf([&] { makeArrangement(sphere, 10, BasePlateSettings{}); }),
               HasSubstr("no base plate can bear this sculpture"));
 }
 
 TEST(BasePlate, OfTheCylinderLevelHidesNothing) {
-  const FinishedLevel& cylinder = testing::finishedLevel("2-cylinder");
+  const LevelResult& cylinder = testing::finishedLevel("2-cylinder");
   const Arrangement arrangement = makeArrangement(cylinder, 10, BasePlateSettings{});
   ASSERT_TRUE(arrangement.plate);
   EXPECT_EQ(arrangement.plate->lowerFace, arrangement.table);

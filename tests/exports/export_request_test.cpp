@@ -19,6 +19,7 @@
 #include "geometry/mesh_files.h"
 #include "in_dutch.h"
 #include "math/palette.h"
+#include "pipeline/stages.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -65,7 +66,7 @@ ObjLineFile parse(const std::string& text) {
 
 TEST(Export, VertexRaysAreThoseOfTheMap) {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
-    const FinishedLevel& finished = finishedLevel(name);
+    const LevelResult& finished = finishedLevel(name);
     const Level& level = finished.level;
     const PointArray& vertices = finished.original.mesh->positions;
     constexpr std::size_t count = 100;
@@ -73,9 +74,8 @@ TEST(Export, VertexRaysAreThoseOfTheMap) {
     ASSERT_EQ(file.lines.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
       const VertexRay ray =
-          makeVertexRay(level.optic, level.camera.eye, vertices[(2 * i + 1) * vertices.size() / (2 * count)],
-                        level.sculpture.depthScale);
-      const Point expected[] = {ray.eye, ray.mirror, ray.sculpture};
+          makeVertexRay(makeVertexMap(level), vertices[(2 * i + 1) * vertices.size() / (2 * count)]);
+      const Point expected[] = {ray.eye, ray.legs.back().start, ray.sculpture};
       ASSERT_EQ(file.lines[i].size(), 3u);
       for (int k = 0; k < 3; ++k) {
         const Point got = file.points.at(file.lines[i][k] - 1);
@@ -86,7 +86,7 @@ TEST(Export, VertexRaysAreThoseOfTheMap) {
 }
 
 TEST(Export, PixelRaysBeginAtTheEyeAndJoin) {
-  const FinishedLevel& finished = finishedLevel("2-cylinder");
+  const LevelResult& finished = finishedLevel("2-cylinder");
   const std::string text = *makePixelRayObj(finished, 10);
   const ObjLineFile file = parse(text);
   EXPECT_THAT(text, HasSubstr("o camera_rays\n"));
@@ -96,11 +96,11 @@ TEST(Export, PixelRaysBeginAtTheEyeAndJoin) {
     ASSERT_EQ(line.size(), 2u);
     fromEye += file.points.at(line[0] - 1) == 10.0 * finished.level.camera.eye;
   }
-  EXPECT_EQ(fromEye, finished.level.camera.gridColumns * finished.level.camera.gridRows);
+  EXPECT_EQ(fromEye, finished.level.grid.columns * finished.level.grid.rows);
 }
 
 TEST(Export, SculptureIsInMillimetresInEveryFormat) {
-  const FinishedLevel& finished = finishedLevel("2-cylinder");
+  const LevelResult& finished = finishedLevel("2-cylinder");
   const TemporaryFolder folder;
   const Box box = boundingBox(makePrintable(finished.sculpture.sculpture->mesh, 10).positions);
   for (const char* name : {"a.obj", "a.stl", "a.ply", "A.STL"}) {
@@ -113,7 +113,7 @@ TEST(Export, SculptureIsInMillimetresInEveryFormat) {
 }
 
 TEST(Export, BasePlateComesAlong) {
-  const FinishedLevel& finished = finishedLevel("2-cylinder");
+  const LevelResult& finished = finishedLevel("2-cylinder");
   const TemporaryFolder folder;
   ExportRequest request = requestFor(folder / "a.stl");
   request.basePlate = BasePlateSettings{};
@@ -126,7 +126,7 @@ TEST(Export, BasePlateComesAlong) {
 }
 
 TEST(Export, MatchPageHoldsThreePicturesOfItsSize) {
-  const FinishedLevel& finished = finishedLevel("3-sphere");
+  const LevelResult& finished = finishedLevel("3-sphere");
   const TemporaryFolder folder;
   ASSERT_TRUE(exportLevel(finished, requestFor(folder / "m.html")));
   const std::string html = readAll(folder / "m.html");
@@ -158,8 +158,8 @@ TEST(Export, MatchPageHoldsThreePicturesOfItsSize) {
 }
 
 TEST(Export, MatchPageEscapesTheTitle) {
-  FinishedLevel finished = finishedLevel("1-plane");
-  finished.level.title = "<b>\"A & B\"</b>";
+  LevelResult finished = finishedLevel("1-plane");
+  finished.level.text.edit([&](LevelText& text) { text.title = "<b>\"A & B\"</b>"; });
   const Image pixel(1, 1);
   {
     const InDutch dutch;
@@ -197,9 +197,9 @@ TEST(Export, Base64IsThatOfItsStandard) {
 
 TEST(Export, GoesWithoutAMirror) {
   Level level = finishedLevel("1-plane").level;
-  level.optic.kind = OpticKind::none;
+  level.optic.parts.front().kind = OpticKind::canvas;
   level.sculpture.depthScale = 0.3;
-  const FinishedLevel finished = finish(level);
+  const LevelResult finished = finish(level);
   const TemporaryFolder folder;
   for (const char* name : {"a.stl", "a.pdf", "a.svg", "a.html"}) {
     ExportRequest request = requestFor(folder / name);
@@ -221,7 +221,7 @@ TEST(Export, PicturesHaveTheAskedSize) {
 
 TEST(Export, CancelledWritesNothing) {
   const TemporaryFolder folder;
-  const FinishedLevel& finished = finishedLevel("2-cylinder");
+  const LevelResult& finished = finishedLevel("2-cylinder");
   for (const char* name : {"a.stl", "a.obj", "a.pdf", "a.svg", "a.html", "a.json", "a.png"}) {
     const Progress before;
     before.token.cancel();
@@ -238,7 +238,7 @@ TEST(Export, CancelledWritesNothing) {
 
 TEST(Export, AFailureLeavesWhatWasThere) {
   const TemporaryFolder folder;
-  FinishedLevel finished = finishedLevel("2-cylinder");
+  LevelResult finished = finishedLevel("2-cylinder");
   writeText(folder / "a.stl", "older");
   ExportRequest request = requestFor(folder / "a.stl");
   request.millimetresPerUnit = 1e300;

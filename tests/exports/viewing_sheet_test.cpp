@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 
 ViewingSheet sheetOf(const std::string& name, double mm, Paper paper = Paper::a4,
                      std::optional<double> scale = {}) {
-  const FinishedLevel& finished = finishedLevel(name);
+  const LevelResult& finished = finishedLevel(name);
   return makeViewingSheet(finished, makeArrangement(finished, mm), paper, scale);
 }
 
@@ -79,7 +79,7 @@ TEST(ViewingSheet, HasARulerOfExactly100MillimetresAndTheMirrorAtItsSize) {
 }
 
 TEST(ViewingSheet, DrawsTheSculpturesFootprintAtItsSize) {
-  const FinishedLevel& finished = finishedLevel("1-plane");
+  const LevelResult& finished = finishedLevel("1-plane");
   const Box box = boundingBox(finished.sculpture.sculpture->mesh.positions);
   const std::vector<Box> boxes = pathBoxes(encodePage(sheetOf("1-plane", 10).page, PageFormat::svg));
   EXPECT_GE(countSizes(boxes, 10 * box.size().x, 10 * box.size().y, 0.15), 1);
@@ -160,7 +160,7 @@ TEST(ViewingSheet, ShowsTheEyeWhereItFits) {
 TEST(ViewingSheet, SaysHeightsAboveTheLowestPointWhereTheGroundIsHigher) {
   Level level = loadLevel(std::string(ANAMORPH_LEVELS) + "/2-cylinder.json").level;
   level.ground.height = 4;
-  const FinishedLevel finished = testing::finish(level);
+  const LevelResult finished = testing::finish(level);
   const Arrangement arrangement = makeArrangement(finished, 10);
   EXPECT_FALSE(arrangement.onGround);
   EXPECT_DOUBLE_EQ(arrangement.table, 0);

@@ -129,7 +129,7 @@ TEST(LessonJson, AnUnknownEventNamesAllThatThereAre) {
 
 TEST(LessonJson, ALevelWithABadLessonIsRefused) {
   Level level;
-  level.lesson = R"({"id": "l", "steps": 3})";
+  level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "l", "steps": 3})"; });
   EXPECT_EQ(errorOf([&] { parseLevel(formatLevel(level), "x.json"); }),
             "x.json: /lesson/steps: expected an array, got 3");
 }

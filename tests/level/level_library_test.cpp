@@ -40,7 +40,7 @@ TEST_F(LevelLibrary, InstalledLevelsAreCompleteAndLoadWithoutWarnings) {
   for (const LevelEntry& entry : listLevels()) {
     const LoadedLevel loaded = loadLevel(entry.path);
     EXPECT_TRUE(loaded.warnings.empty()) << entry.name << ": " << loaded.warnings[0];
-    EXPECT_FALSE(loaded.level.description.empty()) << entry.name;
+    EXPECT_FALSE(loaded.level.text->description.empty()) << entry.name;
     EXPECT_FALSE(loaded.level.lights.empty()) << entry.name;
   }
 }
@@ -80,7 +80,7 @@ TEST(LevelFolder, ABrokenFileHidesNoOther) {
   const fs::path folder = fs::path(testing::TempDir()) / ("levels" + std::to_string(getpid()));
   fs::create_directory(folder);
   Level good;
-  good.title = "Good";
+  good.text = LevelText{"Good", "", "", {}};
   saveLevel(folder / "b.json", good);
   writeFile(folder / "a.json", "{");
   writeFile(folder / "notes.txt", "not a level");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "level/level.h"
+#include "shapes.h"
 
 namespace anamorph {
 
@@ -15,11 +16,11 @@ class RandomLevel {
 
   Level make() {
     Level level;
-    level.title = text();
-    level.description = text();
-    level.optic = {coin() ? OpticKind::mirror : OpticKind::none, mirror()};
+    LevelText words{text(), text(), "", {}};
+    level.optic = {coin() ? OpticKind::mirror : OpticKind::canvas, mirror()};
     level.mirrorLook = {color(), fraction()};
     level.camera = camera();
+    level.grid = {whole(1, 64), whole(1, 64), length()};
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
     level.sculpture = {
         between(0.01, 100), coin() ? 0 : between(0.001, 1000), static_cast<std::size_t>(whole(1, 100000000)),
@@ -30,12 +31,15 @@ class RandomLevel {
     level.ground = {coin(), coordinate()};
     level.tracing = {whole(0, 8), coin(), whole(1, 4)};
     level.view = {point(), point(), between(1, 170)};
-    if (coin())
-      level.lesson =
+    if (coin()) {
+      words.lesson =
           R"({"id": "é\n", "steps": [{"id": "1", "title": "", "why": "\\", "do": "", "done": []}]})";
-    if (coin())
-      level.unknownKeys = {{"/optic/shape", "a/b~", "[1, {\"c\": -0.0}]"},
+    }
+    if (coin()) {
+      words.unknownKeys = {{"/optic/shape", "a/b~", "[1, {\"c\": -0.0}]"},
                            {"", "zoom", "12345678901234567890"}};
+    }
+    level.text = std::move(words);
     return level;
   }
 
@@ -73,7 +77,7 @@ class RandomLevel {
     const double ambient = fraction(), diffuse = fraction(), specular = fraction();
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
-  MirrorShape mirror() {
+  Shape mirror() {
     switch (whole(0, 2)) {
       case 0:
         return PlaneMirror{{point(), point(), point(), point()}};
@@ -105,9 +109,6 @@ class RandomLevel {
     camera.target = point();
     camera.up = Vector(1, 0, 0) + 0.1 * color();
     camera.fovDegrees = between(1, 170);
-    camera.gridColumns = whole(1, 64);
-    camera.gridRows = whole(1, 64);
-    camera.screenDistance = length();
     return camera;
   }
 

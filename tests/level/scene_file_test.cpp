@@ -8,6 +8,7 @@
 
 #include "error_text.h"
 #include "level/level_json.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 struct Published {
   const char* name;
   Point eye;
-  MirrorShape mirror;
+  Shape mirror;
   Point mesh;
 };
 
@@ -38,7 +39,7 @@ TEST_P(PublishedScenes, LoadAsTheyAre) {
   EXPECT_EQ(level.camera.target, scene.mesh);
   EXPECT_EQ(level.camera.up, Vector(0, 0, 1));
   EXPECT_EQ(level.camera.fovDegrees, 40);
-  EXPECT_TRUE(level.optic.shape == scene.mirror);
+  EXPECT_TRUE(level.optic.shape() == scene.mirror);
   EXPECT_TRUE(level.original.shape == OriginalShape{FileShape{}});
   EXPECT_EQ(level.original.placement, Placement{.position = scene.mesh});
   EXPECT_FALSE(level.original.unitize);
@@ -131,7 +132,7 @@ TEST(SceneFile, UnknownKeysWarnAndAreNotKept) {
   const LoadedLevel loaded =
       parseLevel(sceneOf(both(sphere, R"({"type": "mesh", "position": [0, 7, 4], "color": 1})")), "s.json");
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"s.json: /Objects/1/color: unknown key, ignored"});
-  EXPECT_TRUE(loaded.level.unknownKeys.empty());
+  EXPECT_TRUE(loaded.level.text->unknownKeys.empty());
 }
 
 TEST(SceneFile, WithAModelItCanBeSavedAsALevel) {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "optics/exit_points.h"
 #include "optics/reflect.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -65,8 +65,12 @@ TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
       PointArray points(targets.size());
       std::array<std::int64_t, exitBlockSize> plain;
       const std::size_t plainCount = exitPoints(
-          scene.optic, scene.eye, depthScale, {targets.x.data(), targets.y.data(), targets.z.data()},
-          targets.size(), {points.x.data(), points.y.data(), points.z.data()}, plain.data());
+          scene.optic, {scene.eye,
+                        depthScale,
+                        {targets.x.data(), targets.y.data(), targets.z.data()},
+                        targets.size(),
+                        {points.x.data(), points.y.data(), points.z.data()},
+                        plain.data()});
       all += targets.size();
       allPlain += plainCount;
       EXPECT_EQ(std::count(plain.begin(), plain.begin() + 100, 1), static_cast<long>(plainCount));

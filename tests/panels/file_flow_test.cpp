@@ -112,14 +112,14 @@ TEST_F(FileFlow, AFileThatAnotherProgramWroteIsReplacedOnlyWhenAsked) {
   const fs::path file = folder_ / "mine.json";
   fs::copy_file(folder_ / "other.json", file, fs::copy_options::overwrite_existing);
   fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(5));
-  const std::string theirs = loadLevel(file).level.title;
+  const std::string theirs = loadLevel(file).level.text->title;
   act(Action::save);
   ASSERT_TRUE(ui.browser.open);
   EXPECT_NE(ui.browser.problem.find("another program"), std::string::npos);
-  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  EXPECT_EQ(loadLevel(file).level.text->title, theirs);
   key(keys::escape);
   EXPECT_TRUE(editor.session.modified());
-  EXPECT_EQ(loadLevel(file).level.title, theirs);
+  EXPECT_EQ(loadLevel(file).level.text->title, theirs);
   act(Action::save);
   key(keys::enter);  // the name that is proposed
   key(keys::enter);  // replace it
@@ -288,7 +288,7 @@ TEST_F(FileFlow, QuittingTellsWhatWasLeft) {
 TEST_F(FileFlow, ProposesANameMadeOfTheTitle) {
   act(Action::newLevel);
   Level level = editor.session.level();
-  level.title = " Mijn 1e zuil: (blauw)! ";
+  level.text.edit([&](LevelText& text) { text.title = " Mijn 1e zuil: (blauw)! "; });
   editor.session.edit(level);
   act(Action::saveAs);
   EXPECT_EQ(ui.browser.text, "mijn-1e-zuil-blauw.json");
@@ -311,7 +311,7 @@ TEST_F(FileFlow, AFailedSaveSaysWhyAndStays) {
 }
 
 TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
-  const Box box = boundingBox(editor.updater.products().original.mesh->positions);
+  const Box box = boundingBox(editor.updater.result().original.mesh->positions);
   const Level before = editor.session.level();
   fs::copy_file(fs::path(ANAMORPH_TEST_DATA) / "meshes/cube.obj", folder_ / "cube.obj");
   acceptFiles({folder_ / "cube.obj"}, editor, ui);
@@ -319,10 +319,10 @@ TEST_F(FileFlow, AMeshThatIsDroppedTakesTheOriginalsPlace) {
   EXPECT_EQ(std::get<FileShape>(editor.session.level().original.shape).path, "cube.obj")
       << "relative to the level";
   editor.updater.finish(editor.session, {});
-  const Box now = boundingBox(editor.updater.products().original.mesh->positions);
+  const Box now = boundingBox(editor.updater.result().original.mesh->positions);
   EXPECT_LT(glm::length(now.centre() - box.centre()), 1e-9);
   EXPECT_NEAR(now.size().z, 2, 1e-9);
-  EXPECT_EQ(editor.updater.products().problem, std::nullopt);
+  EXPECT_EQ(editor.updater.result().problem, std::nullopt);
   editor.session.undo();
   EXPECT_EQ(editor.session.level(), before) << "one step";
 }

@@ -23,6 +23,7 @@
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
 #include "pipeline/stages.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {
@@ -137,12 +138,9 @@ TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
   std::vector<std::string> names;
   for (int i = 0; i < 4; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
   for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
-  for (const MirrorShape& shape :
-       {MirrorShape(PlaneMirror{}), MirrorShape(CylinderMirror{}), MirrorShape(SphereMirror{})}) {
-    names.emplace_back(shapeName(shape));
-  }
+  for (const ShapeType& type : shapeTypes()) names.emplace_back(type.name);
   names.emplace_back(surfaceName({OpticKind::mirror, {}}));
-  names.emplace_back(surfaceName({OpticKind::none, {}}));
+  names.emplace_back(surfaceName({OpticKind::canvas, {}}));
   for (const std::string& name : names) EXPECT_EQ(known.count(name), 1u) << name;
 }
 
@@ -273,7 +271,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   editor.rays.lightRays = true;
   editor.preview.expanded = false;
   Level own = editor.session.level();
-  own.title = own.description = "«its author's words»";  // which are edited as they are
+  own.text = LevelText{"«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
     openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab));
@@ -288,7 +286,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   EXPECT_TRUE(hasSeen("Intensity"));
   for (std::size_t kind = 0; kind < 3; ++kind) {
     Level level = editor.session.level();
-    level.optic.shape = mirrorOfKind(kind, level.optic.shape, level.camera.eye);
+    level.optic.shape() = mirrorOfKind(kind, level.optic.shape(), level.camera.eye);
     editor.session.edit(std::move(level));
     editor.updater.finish(editor.session, {});
     openTab(ui.tabs, editor.selection, PropertyTab::mirror);
@@ -301,13 +299,7 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
     open(name);
     const Level before = editor.session.level();
     Level level = before;
-    level.camera.eye = std::visit(
-        [](const auto& mirror) {
-          if constexpr (requires { mirror.centre; }) return mirror.centre;
-          if constexpr (requires { mirror.top; }) return 0.5 * (mirror.top + mirror.bottom);
-          if constexpr (requires { mirror.corners; }) return 0.5 * (mirror.corners[0] + mirror.corners[2]);
-        },
-        level.optic.shape);
+    level.camera.eye = middleOf(level.optic.shape());
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
     openTab(ui.tabs, editor.selection, PropertyTab::eye);

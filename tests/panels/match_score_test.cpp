@@ -7,12 +7,12 @@
 namespace anamorph {
 namespace {
 
-Products measured(double iou, bool refined = true) {
+LevelResult measured(double iou, bool refined = true) {
   auto match = std::make_shared<Match>();
   match->report.silhouetteIou = iou;
   match->report.comparedPixels = 100;
   match->report.triangleAgreement = iou > 0.9 ? 1 : 0;
-  Products products;
+  LevelResult products;
   products.match = match;
   products.refined = refined;
   return products;
@@ -26,7 +26,7 @@ TEST(MatchScore, IsUnknownBeforeItIsMeasured) {
 }
 
 TEST(MatchScore, OfAProblemIsNothingAndSaysWhy) {
-  Products products = measured(1);
+  LevelResult products = measured(1);
   products.problem = "the eye is inside the sphere.";
   const MatchScore score = matchScore(products);
   EXPECT_EQ(score.fraction, 0);
@@ -56,7 +56,7 @@ TEST(MatchScore, GradesInWordAndColour) {
 }
 
 TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
-  Products products = measured(1);
+  LevelResult products = measured(1);
   auto match = std::make_shared<Match>(*products.match);
   match->report.hiddenShare = 0.2;
   products.match = match;

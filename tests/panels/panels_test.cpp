@@ -28,7 +28,7 @@ std::vector<Selection> selectionsOf(const Level& level) {
 // The eye in the middle of the mirror.
 void moveEyeIntoMirror(Editor& editor) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape).positions).centre();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape()).positions).centre();
   editor.session.edit(level);
 }
 
@@ -51,7 +51,7 @@ constexpr State states[] = {
     {"wipe", [](Editor& editor, UiState&) { editor.preview.tab = PreviewTab::wipe; }},
     {"picked point",
      [](Editor& editor, UiState&) {
-       editor.point = pickedVertex(*editor.updater.products().original.mesh, 17);
+       editor.point = pickedVertex(*editor.updater.result().original.mesh, 17);
      }},
     {"picked cell",
      [](Editor& editor, UiState&) {

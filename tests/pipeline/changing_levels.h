@@ -37,17 +37,12 @@ inline std::shared_ptr<const Mesh> placedOriginal(const Level& level) {
 /// Eye, mirror, placement and depth scale a little or much elsewhere. findProblem may find one.
 inline Level changed(Level level, Random& random, double extent) {
   const Vector shift = random.point(0.3 * extent);
-  if (auto* plane = std::get_if<PlaneMirror>(&level.optic.shape)) {
-    for (Point& corner : plane->corners) corner += shift;
-  } else if (auto* cylinder = std::get_if<CylinderMirror>(&level.optic.shape)) {
-    cylinder->bottom += shift;
-    cylinder->top += shift + random.point(0.1 * extent);
-    cylinder->radius *= random.uniform(0.7, 1.3);
-  } else {
-    auto& sphere = std::get<SphereMirror>(level.optic.shape);
-    sphere.centre += shift;
-    sphere.radius *= random.uniform(0.7, 1.3);
-  }
+  const double grown = random.uniform(0.7, 1.3);
+  const Point middle = middleOf(level.optic.shape());
+  ShapeMap map;
+  map.point = [&](const Point& p) { return middle + grown * (p - middle) + shift; };
+  map.factors = Vector(grown);
+  level.optic.shape() = mapShape(level.optic.shape(), map);
   level.camera.eye += random.point(extent);
   level.original.placement.position += random.point(0.5 * extent);
   level.original.placement.rotationDegrees += random.point(90 * extent);

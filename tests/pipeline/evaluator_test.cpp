@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "pipeline/changing_levels.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -37,8 +38,8 @@ void expectSameReport(const MatchReport& a, const MatchReport& b) {
 }
 
 /// By value: what was made anew has other pointers.
-void expectSame(const Settled& a, const Settled& b) {
-  EXPECT_EQ(a.input, b.input);
+void expectSame(const LevelResult& a, const LevelResult& b) {
+  EXPECT_EQ(a.level, b.level);
   EXPECT_EQ(*a.shape, *b.shape);
   EXPECT_EQ(*a.original.mesh, *b.original.mesh);
   EXPECT_EQ(a.sculpture.sculpture->mesh, b.sculpture.sculpture->mesh);
@@ -59,25 +60,25 @@ void expectSame(const Settled& a, const Settled& b) {
   EXPECT_TRUE(a.complete && b.complete);
 }
 
-Settled evaluateAlone(const EvaluationInput& input) {
+LevelResult evaluateAlone(const EvaluationInput& input) {
   Evaluator evaluator;
   return *evaluator.evaluate(input, 2);
 }
 
 TEST(Evaluator, MakesWhatTheCommandsMake) {
   for (const Level& level : quickLevels()) {
-    SCOPED_TRACE(level.title);
+    SCOPED_TRACE(level.text->title);
     Evaluator evaluator;
-    const Settled settled = *evaluator.evaluate(inputOf(level), 2);
+    const LevelResult settled = *evaluator.evaluate(inputOf(level), 2);
     EXPECT_EQ(settled.problem, std::nullopt);
     EXPECT_TRUE(settled.complete);
-    const FinishedLevel finished = *finishLevel(level, placedOriginal(level), 1);
+    const LevelResult finished = *finishLevel(level, placedOriginal(level), 1);
     EXPECT_EQ(*settled.original.mesh, *finished.original.mesh);
     EXPECT_EQ(settled.sculpture.sculpture->mesh, finished.sculpture.sculpture->mesh);
-    EXPECT_EQ(settled.warnings, findWarnings(level, *finished.sculpture.sculpture));
-    const auto [matchWidth, matchHeight] = pictureSize(level.camera, matchSize);
+    EXPECT_EQ(settled.warnings, findWarnings(level, finished.sculpture));
+    const auto [matchWidth, matchHeight] = pictureSize(level.grid, matchSize);
     expectSameReport(settled.match->report, matchLevel(finished, matchWidth, matchHeight, 1).report);
-    const auto [width, height] = pictureSize(level.camera, 48);
+    const auto [width, height] = pictureSize(level.grid, 48);
     const ImageRequest request = makeImageRequest(level, width, height, 1);
     EXPECT_EQ(*settled.previews.reflection, *makePicture(finished, PictureKind::reflection, request));
     EXPECT_EQ(*settled.previews.original, *makePicture(finished, PictureKind::original, request));
@@ -89,10 +90,10 @@ TEST(Evaluator, MakesWhatTheCommandsMake) {
 TEST(Evaluator, KeepsEachStageWhoseInputStays) {
   Level level = quickLevels()[1];
   Evaluator evaluator;
-  const Settled first = *evaluator.evaluate(inputOf(level), 2);
+  const LevelResult first = *evaluator.evaluate(inputOf(level), 2);
 
-  level.title = "another one";
-  const Settled retitled = *evaluator.evaluate(inputOf(level), 2);
+  level.text.edit([&](LevelText& text) { text.title = "another one"; });
+  const LevelResult retitled = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(retitled.shape, first.shape);
   EXPECT_EQ(retitled.original, first.original);
   EXPECT_EQ(retitled.sculpture, first.sculpture);
@@ -101,7 +102,7 @@ TEST(Evaluator, KeepsEachStageWhoseInputStays) {
   EXPECT_EQ(retitled.previews.original, first.previews.original);
 
   level.lights[0].position.x += 5;
-  const Settled lit = *evaluator.evaluate(inputOf(level), 2);
+  const LevelResult lit = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(lit.shape, first.shape);
   EXPECT_EQ(lit.original, first.original);
   EXPECT_EQ(lit.sculpture, first.sculpture);
@@ -110,17 +111,17 @@ TEST(Evaluator, KeepsEachStageWhoseInputStays) {
   expectSame(lit, evaluateAlone(inputOf(level)));
 
   level.sculpture.material.color = Color(0, 1, 0);  // the original's picture does not depend on it
-  const Settled painted = *evaluator.evaluate(inputOf(level), 2);
+  const LevelResult painted = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(painted.sculpture, first.sculpture);
   EXPECT_EQ(painted.previews.original, lit.previews.original);
   EXPECT_NE(*painted.previews.reflection, *lit.previews.reflection);
 
-  const Settled larger = *evaluator.evaluate(inputOf(level, 64), 2);
+  const LevelResult larger = *evaluator.evaluate(inputOf(level, 64), 2);
   EXPECT_EQ(larger.match, first.match);
   EXPECT_EQ(larger.previews.reflection->width, 64);
 
   level.sculpture.depthScale *= 0.9;
-  const Settled deeper = *evaluator.evaluate(inputOf(level), 2);
+  const LevelResult deeper = *evaluator.evaluate(inputOf(level), 2);
   EXPECT_EQ(deeper.original, first.original);
   EXPECT_NE(deeper.sculpture, first.sculpture);
   expectSame(deeper, evaluateAlone(inputOf(level)));
@@ -143,8 +144,8 @@ TEST(Evaluator, RandomEditsGiveWhatAFreshOneGives) {
 }
 
 /// Everything that `before` has, `after` has too.
-void expectGrown(const Settled& before, const Settled& after) {
-  EXPECT_EQ(after.input, before.input);
+void expectGrown(const LevelResult& before, const LevelResult& after) {
+  EXPECT_EQ(after.level, before.level);
   EXPECT_EQ(after.shape, before.shape);
   EXPECT_EQ(after.original, before.original);
   EXPECT_EQ(after.sculpture, before.sculpture);
@@ -160,12 +161,12 @@ void expectGrown(const Settled& before, const Settled& after) {
 TEST(Evaluator, PartsOnlyEverGainThings) {
   std::vector<Level> levels = quickLevels();
   levels.push_back(levels[2]);
-  levels.back().camera.eye = std::get<SphereMirror>(levels[2].optic.shape).centre;
+  levels.back().camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre;
   for (const Level& level : levels) {
     Evaluator evaluator;
     for (int run = 0; run < 2; ++run) {
-      SCOPED_TRACE(level.title + ", run " + std::to_string(run));
-      std::vector<Settled> parts;
+      SCOPED_TRACE(level.text->title + ", run " + std::to_string(run));
+      std::vector<LevelResult> parts;
       double reported = 0;
       Progress progress;
       progress.report = [&](double fraction) {
@@ -173,8 +174,8 @@ TEST(Evaluator, PartsOnlyEverGainThings) {
         EXPECT_LE(fraction, 1);
         reported = fraction;
       };
-      const Settled settled = *evaluator.evaluate(
-          inputOf(level), 2, [&](const Settled& part) { parts.push_back(part); }, progress);
+      const LevelResult settled = *evaluator.evaluate(
+          inputOf(level), 2, [&](const LevelResult& part) { parts.push_back(part); }, progress);
       ASSERT_GE(parts.size(), 3u);
       EXPECT_TRUE(run > 0 || parts.size() >= 8) << "coarse pictures first";
       ASSERT_TRUE(parts.front().sculpture.sculpture);
@@ -189,7 +190,7 @@ TEST(Evaluator, CancelledAnywhereTheNextRunIsRight) {
   const Level level = quickLevels()[1];
   Level other = level;
   other.camera.eye.z += 0.5;
-  const Settled wanted = evaluateAlone(inputOf(level)), otherWanted = evaluateAlone(inputOf(other));
+  const LevelResult wanted = evaluateAlone(inputOf(level)), otherWanted = evaluateAlone(inputOf(other));
   int cancelled = 0;
   bool done = false;
   Evaluator kept;  // the same one through all cancellations
@@ -205,7 +206,7 @@ TEST(Evaluator, CancelledAnywhereTheNextRunIsRight) {
     };
     progress.report = [&](double) { tick(); };
     const auto settled = evaluator.evaluate(
-        inputOf(even ? level : other), 1, [&](const Settled&) { tick(); }, progress);
+        inputOf(even ? level : other), 1, [&](const LevelResult&) { tick(); }, progress);
     done = !progress.cancelled();
     if (settled) {
       expectSame(*settled, even ? wanted : otherWanted);
@@ -230,7 +231,7 @@ TEST(Evaluator, CancelledBeforeItBeginsGivesNothing) {
   int parts = 0;
   const EvaluationInput input = inputOf(quickLevels()[0]);
   EXPECT_FALSE(evaluator.evaluate(
-      input, 1, [&](const Settled&) { ++parts; }, progress));
+      input, 1, [&](const LevelResult&) { ++parts; }, progress));
   EXPECT_EQ(parts, 0);
   ASSERT_TRUE(evaluator.evaluate(input, 1));
   EXPECT_FALSE(evaluator.evaluate(input, 1, {}, progress)) << "also when all is known already";
@@ -254,10 +255,10 @@ std::vector<Trouble> troubles() {
       {"eye in the original", levels[0], "the eye is inside the original's box"},
       {"original beside the mirror", levels[0], "no triangle of the original can be mapped"},
       {"original before the mirror", levels[2], "between the eye and the mirror"}};
-  all[0].level.camera.eye = std::get<SphereMirror>(levels[2].optic.shape).centre + Vector(0, 0, 0.5);
-  std::get<SphereMirror>(all[1].level.optic.shape).radius = 0;
-  std::get<CylinderMirror>(all[2].level.optic.shape).radius = 0;
-  std::get<PlaneMirror>(all[3].level.optic.shape).corners = {Point(1), Point(1), Point(1), Point(1)};
+  all[0].level.camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre + Vector(0, 0, 0.5);
+  changeShape<SphereMirror>(all[1].level.optic.shape(), [](auto& s) { s.radius = 0; });
+  changeShape<CylinderMirror>(all[2].level.optic.shape(), [](auto& s) { s.radius = 0; });
+  changeShape<PlaneMirror>(all[3].level.optic.shape(), [](auto& s) { s.corners.fill(Point(1)); });
   all[4].level.original.placement.scale = Vector(0);
   all[5].level.original.placement.scale = Vector(0);
   all[5].level.sculpture.tolerancePixels = 0;
@@ -274,7 +275,7 @@ TEST(Evaluator, ProblemsAreSentencesAndPicturesStaySound) {
     SCOPED_TRACE(trouble.name);
     Evaluator fresh;
     for (Evaluator* evaluator : {&fresh, &kept}) {
-      const auto settled = evaluator->evaluate(inputOf(trouble.level), 2, [](const Settled& part) {
+      const auto settled = evaluator->evaluate(inputOf(trouble.level), 2, [](const LevelResult& part) {
         for (const auto& picture :
              {part.previews.reflection, part.previews.original, part.previews.difference}) {
           EXPECT_TRUE(!picture || isSound(*picture));
@@ -298,7 +299,7 @@ TEST(Evaluator, ProblemsAreSentencesAndPicturesStaySound) {
 TEST(Evaluator, PartlyUnmappedIsAWarningOnly) {
   Level level = quickLevels()[0];
   level.original.placement.position.x += 4;
-  const Settled settled = evaluateAlone(inputOf(level));
+  const LevelResult settled = evaluateAlone(inputOf(level));
   EXPECT_EQ(settled.problem, std::nullopt);
   ASSERT_FALSE(settled.warnings.empty());
   EXPECT_NE(settled.warnings[0].find("vertices mapped"), std::string::npos);
@@ -309,9 +310,9 @@ TEST(Evaluator, PreviewSizeZeroIsThePixelGrid) {
   for (const auto& [columns, rows] : {std::pair{8, 8}, {1, 1}, {64, 1}, {1, 64}, {13, 7}, {64, 64}}) {
     SCOPED_TRACE(std::to_string(columns) + " x " + std::to_string(rows));
     Level level = quickLevels()[0];
-    level.camera.gridColumns = columns;
-    level.camera.gridRows = rows;
-    const Settled settled = evaluateAlone(inputOf(level, 0));
+    level.grid.columns = columns;
+    level.grid.rows = rows;
+    const LevelResult settled = evaluateAlone(inputOf(level, 0));
     for (const auto& picture :
          {settled.previews.reflection, settled.previews.original, settled.previews.difference}) {
       ASSERT_TRUE(picture);
@@ -320,17 +321,17 @@ TEST(Evaluator, PreviewSizeZeroIsThePixelGrid) {
       EXPECT_TRUE(isSound(*picture));
     }
     ASSERT_TRUE(settled.match);
-    const Settled sized = evaluateAlone(inputOf(level, 40));
+    const LevelResult sized = evaluateAlone(inputOf(level, 40));
     EXPECT_EQ(std::max(sized.previews.reflection->width, sized.previews.reflection->height), 40);
   }
 }
 
 TEST(PictureSize, HasTheGridsSidesAndAtLeastAPixel) {
   const auto size = [](int columns, int rows, int longer) {
-    Camera camera;
-    camera.gridColumns = columns;
-    camera.gridRows = rows;
-    return pictureSize(camera, longer);
+    PixelGrid grid;
+    grid.columns = columns;
+    grid.rows = rows;
+    return pictureSize(grid, longer);
   };
   EXPECT_EQ(size(8, 8, 256), std::pair(256, 256));
   EXPECT_EQ(size(16, 9, 256), std::pair(256, 144));

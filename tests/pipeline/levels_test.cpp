@@ -12,7 +12,7 @@
 namespace anamorph {
 namespace {
 
-FinishedLevel finish(const Level& level, const std::string& path) {
+LevelResult finish(const Level& level, const std::string& path) {
   const auto shape = loadOriginal(level.original.shape, path);
   return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
 }
@@ -22,7 +22,7 @@ Level putRight(Level level) {
   return level;
 }
 
-MatchReport matchOf(const FinishedLevel& finished, int size = 512) {
+MatchReport matchOf(const LevelResult& finished, int size = 512) {
   return computeMatch(makeMatchInput(finished.level, finished.original, finished.sculpture, size, size), 0)
       .report;
 }
@@ -34,7 +34,7 @@ TEST(Levels, ReflectionIsTheOriginal) {
     SCOPED_TRACE(entry.name);
     ASSERT_EQ(entry.problem, "");
     const Level level = putRight(loadLevel(entry.path).level);
-    const FinishedLevel finished = finish(level, entry.path);
+    const LevelResult finished = finish(level, entry.path);
     const MatchReport report = matchOf(finished);
     EXPECT_GE(report.silhouetteIou, 0.999);
     EXPECT_LE(report.p99Px, 0.25);
@@ -51,7 +51,7 @@ TEST(Levels, SculptureIsInViewOfTheRtCamera) {
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
     SCOPED_TRACE(entry.name);
     const Level level = putRight(loadLevel(entry.path).level);
-    const FinishedLevel finished = finish(level, entry.path);
+    const LevelResult finished = finish(level, entry.path);
     const Projection projection(level.camera, 512, 512);
     const PointArray& points = finished.sculpture.sculpture->mesh.positions;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -74,11 +74,11 @@ TEST(MistakesLevel, TheScoreFindsTwoMistakesAndIsBlindForTheThird) {
   const double half = matchOf(finish(level, path)).silhouetteIou;
   EXPECT_TRUE(half > 0.25 && half < 0.4) << half;
   mistakes.normal = false;
-  const FinishedLevel large = finish(level, path);
+  const LevelResult large = finish(level, path);
   EXPECT_GE(matchOf(large).silhouetteIou, 0.999);
   EXPECT_GE(matchOf(large).triangleAgreement, 0.999);
   mistakes.distance = false;
-  const FinishedLevel right = finish(level, path);
+  const LevelResult right = finish(level, path);
   EXPECT_GE(matchOf(right).silhouetteIou, 0.999);
   const double ratio = boundingBox(large.sculpture.sculpture->mesh.positions).size().x /
                        boundingBox(right.sculpture.sculpture->mesh.positions).size().x;
@@ -101,7 +101,7 @@ TEST(ThesisScenes, EightVertexCubeNeedsRefinement) {
     const Mesh cube = loadMesh(data + "/meshes/cube.obj");
     const auto original = placeOriginal(cube, false, level.original.placement);
     level.camera.target = boundingBox(original->positions).centre();
-    const FinishedLevel refined = *finishLevel(level, original, 0);
+    const LevelResult refined = *finishLevel(level, original, 0);
     const MatchReport good = matchOf(refined);
     EXPECT_LE(good.p99Px, 0.25);
     EXPECT_GE(good.silhouetteIou, 0.995);

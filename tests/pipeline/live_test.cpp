@@ -13,6 +13,7 @@
 #include "geometry/shapes.h"
 #include "pipeline/changing_levels.h"
 #include "pipeline/picture.h"
+#include "pipeline/stages.h"
 #include "pipeline/worker.h"
 
 namespace anamorph {
@@ -63,7 +64,7 @@ void expectMapped(const PreparedSculpture& live, const Level& level, const Mesh&
                     source.v * original.positions[c];
     misplaced += !(glm::length(sculpture.original[i] - p) <= 1e-12 * (1 + glm::length(p)));
     const MappedPoint mapped =
-        mapPoint(level.optic, level.camera.eye, sculpture.original[i], level.sculpture.depthScale);
+        mapPoint(makeVertexMap(level), sculpture.original[i]);
     wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
   }
   EXPECT_EQ(misplaced, 0u);
@@ -71,7 +72,7 @@ void expectMapped(const PreparedSculpture& live, const Level& level, const Mesh&
   StatusCounts counts{};
   for (std::size_t i = 0; i < original.positions.size(); ++i) {
     const auto mapped =
-        mapPoint(level.optic, level.camera.eye, original.positions[i], level.sculpture.depthScale);
+        mapPoint(makeVertexMap(level), original.positions[i]);
     ++counts[static_cast<std::size_t>(mapped.status)];
   }
   EXPECT_EQ(sculpture.originalStatus, counts);
@@ -159,8 +160,8 @@ TEST(LiveSculpture, FollowsAsTheMapSays) {
         const Level level = changed(start, random, i < 3 ? 0.3 : 4);
         const PreparedMesh placed =
             liveOriginal.place(level.original.unitize, level.original.placement, 1 + i % 3);
-        if (findProblem(level, *placed.mesh)) continue;
-        const PreparedSculpture followed = live.follow(level, placed.mesh, 1 + i % 3);
+        if (findProblem(level, placed.box)) continue;
+        const PreparedSculpture followed = live.follow(makeVertexMap(level), placed.mesh, 1 + i % 3);
         expectMapped(followed, level, *placed.mesh, random);
         const StatusCounts& counts = followed.sculpture->originalStatus;
         (counts[0] == placed.mesh->positions.size() ? whole : counts[0] > 0 ? partly : none) += 1;
@@ -176,7 +177,7 @@ TEST(LiveSculpture, KeepsTheRefinedTrianglesOfAWholeSculpture) {
     const PreparedMesh original = prepareMesh(placedOriginal(level));
     const PreparedSculpture settled = settledSculpture(level, original);
     LiveSculpture live(original, settled);
-    const PreparedSculpture same = live.follow(level, original.mesh, 1);
+    const PreparedSculpture same = live.follow(makeVertexMap(level), original.mesh, 1);
     EXPECT_EQ(same.sculpture->mesh.triangles, settled.sculpture->mesh.triangles);
     double worst = 0;
     for (std::size_t i = 0; i < same.sculpture->mesh.positions.size(); ++i) {
@@ -195,8 +196,8 @@ TEST(LiveSculpture, IsTheSameForEveryNumberOfThreads) {
   const PreparedSculpture settled = settledSculpture(level, original);
   LiveSculpture live(original, settled);
   level.camera.eye += Vector(0.3, 0.2, 0.1);
-  const PreparedSculpture one = live.follow(level, original.mesh, 1);
-  const PreparedSculpture four = live.follow(level, original.mesh, 4);
+  const PreparedSculpture one = live.follow(makeVertexMap(level), original.mesh, 1);
+  const PreparedSculpture four = live.follow(makeVertexMap(level), original.mesh, 4);
   EXPECT_NE(one.sculpture, four.sculpture) << "the first one is still held";
   EXPECT_EQ(one.sculpture->mesh, four.sculpture->mesh);
   EXPECT_EQ(one.sculpture->status, four.sculpture->status);
@@ -235,8 +236,8 @@ TEST(LiveSculpture, WhatIsHeldStaysAsItIsWhileLaterFramesAreMade) {
     for (int i = 0; i < 40; ++i) {
       const Level level = changed(start, random, 0.5);
       const PreparedMesh placed = liveOriginal.place(false, level.original.placement, 2);
-      if (findProblem(level, *placed.mesh)) continue;
-      const PreparedSculpture followed = live.follow(level, placed.mesh, 2);
+      if (findProblem(level, placed.box)) continue;
+      const PreparedSculpture followed = live.follow(makeVertexMap(level), placed.mesh, 2);
       if (random.integer(0, 2) == 0) {
         held.emplace_back(followed, followed);
         heldOriginals.emplace_back(placed, *placed.mesh);
@@ -266,7 +267,7 @@ TEST(LiveSculpture, ResultsMayBeLetGoByAnotherThread) {
   });
   for (int i = 0; i < 100; ++i) {
     level.camera.eye.x += 0.01;
-    box.put(live.follow(level, original.mesh, 1));
+    box.put(live.follow(makeVertexMap(level), original.mesh, 1));
     if (i % 3 == 0) std::this_thread::sleep_for(std::chrono::microseconds(500));
   }
   done = true;
@@ -278,11 +279,11 @@ TEST(LiveSculpture, PartsOfAResultKeepTheWholeBuffer) {
   Level level = quickLevels()[0];
   const PreparedMesh original = prepareMesh(placedOriginal(level));
   LiveSculpture live(original, settledSculpture(level, original));
-  const auto mesh = live.follow(level, original.mesh, 1).prepared.mesh;  // all the rest is let go
+  const auto mesh = live.follow(makeVertexMap(level), original.mesh, 1).prepared.mesh;  // all the rest is let go
   const Mesh copy = *mesh;
   level.camera.eye.x += 1;
   level.sculpture.depthScale = 0.5;
-  live.follow(level, original.mesh, 1);
+  live.follow(makeVertexMap(level), original.mesh, 1);
   EXPECT_EQ(*mesh, copy);
 }
 
@@ -297,7 +298,7 @@ TEST(LiveSculpture, BuffersThatNobodyHoldsAreUsedAgain) {
   for (int i = 0; i < 20; ++i) {
     level.camera.eye.x += 0.01;
     placed = liveOriginal.place(false, level.original.placement, 1);
-    shown = live.follow(level, placed.mesh, 1);
+    shown = live.follow(makeVertexMap(level), placed.mesh, 1);
     sculptures.insert(shown.sculpture.get());
     originals.insert(placed.mesh.get());
   }
@@ -322,7 +323,7 @@ TEST(LiveSculpture, UnmappedPartsGoAndComeBack) {
       LiveSculpture live(original, settled);
       for (const Level& level : {whole, parted, whole, parted}) {
         const PreparedMesh placed = liveOriginal.place(false, level.original.placement, 1);
-        const PreparedSculpture followed = live.follow(level, placed.mesh, 1);
+        const PreparedSculpture followed = live.follow(makeVertexMap(level), placed.mesh, 1);
         const Sculpture& sculpture = *followed.sculpture;
         expectMapped(followed, level, *placed.mesh, random);
         EXPECT_EQ(sculpture.mesh.triangles,
@@ -363,7 +364,7 @@ TEST(LiveSculpture, StartsFromAProblemToo) {
   for (const PreparedSculpture& settled : {PreparedSculpture{}, prepareSculpture({})}) {
     Random random(1);
     LiveSculpture live(original, settled);
-    const PreparedSculpture followed = live.follow(level, original.mesh, 1);
+    const PreparedSculpture followed = live.follow(makeVertexMap(level), original.mesh, 1);
     EXPECT_EQ(followed.sculpture->mesh.triangles, original.mesh->triangles);
     expectMapped(followed, level, *original.mesh, random);
   }
@@ -380,7 +381,7 @@ TEST(LiveSculpture, MatchesTheOriginalInPixelsToo) {
     level.camera.eye += Vector(0.3, 0.1, 0.2);
     level.original.placement.position += Vector(0.1, 0.2, 0);
     const PreparedMesh placed = liveOriginal.place(false, level.original.placement, 1);
-    const PreparedSculpture followed = live.follow(level, placed.mesh, 1);
+    const PreparedSculpture followed = live.follow(makeVertexMap(level), placed.mesh, 1);
     const Match match = computeMatch(makeMatchInput(level, placed, followed, 96, 96), 2);
     EXPECT_GT(match.report.silhouetteIou, 0.97);
     EXPECT_LT(match.report.p99Px, 1);

@@ -7,6 +7,7 @@
 
 #include "raytrace/png.h"
 #include "raytrace/test_scenes.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {

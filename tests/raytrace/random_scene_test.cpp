@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "raytrace/test_scenes.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {
@@ -29,7 +30,7 @@ class RandomScene {
       return points[static_cast<std::size_t>(index(static_cast<int>(points.size())))];
     }
     if (choice == 1 && input.optic) {
-      const PointArray points = tessellate(input.optic->optic.shape).positions;
+      const PointArray points = tessellate(input.optic->optic.shape()).positions;
       return points[static_cast<std::size_t>(index(static_cast<int>(points.size())))];
     }
     if (choice == 2 && !input.lights.empty()) return input.lights[0].position;
@@ -64,7 +65,7 @@ class RandomScene {
     return mesh;
   }
 
-  MirrorShape makeShape() {
+  Shape makeShape() {
     switch (index(3)) {
       case 0: {
         const Point corner = point();

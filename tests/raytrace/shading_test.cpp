@@ -1,4 +1,5 @@
 #include "raytrace/shading.h"
+#include "shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "raytrace/render.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 
@@ -31,7 +32,7 @@ inline Mesh makeCuboid(const Point& low, const Point& high) {
   return mesh;
 }
 
-inline OpticSurface makeMirror(const MirrorShape& shape) {
+inline OpticSurface makeMirror(const Shape& shape) {
   return {Optic{OpticKind::mirror, shape}, {0.9, 0.95, 1}, 0.8};
 }
 
@@ -62,7 +63,7 @@ inline ImageRequest smallImage(int width, int height, int threads = 1) {
   return request;
 }
 
-/// The same scene, larger or smaller; its optic must be a cylinder.
+/// The same scene, larger or smaller.
 inline SceneInput scaled(SceneInput input, double scale) {
   const auto times = [scale](const Point& p) { return scale * p; };
   for (MeshSurface& surface : input.surfaces) {
@@ -70,8 +71,7 @@ inline SceneInput scaled(SceneInput input, double scale) {
     surface = makeSurface(surface.name, mesh, surface.material);
   }
   if (input.optic) {
-    auto& cylinder = std::get<CylinderMirror>(input.optic->optic.shape);
-    cylinder = {times(cylinder.bottom), times(cylinder.top), scale * cylinder.radius};
+    input.optic->optic.shape() = mapShape(input.optic->optic.shape(), {times, Vector(scale)});
   }
   if (input.ground) {
     input.ground->height *= scale;

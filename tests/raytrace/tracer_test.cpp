@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "raytrace/shading.h"
 #include "raytrace/test_scenes.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {

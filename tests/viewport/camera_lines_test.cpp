@@ -17,10 +17,15 @@ Camera makeRandomCamera(Random& random) {
   camera.target = random.point(5);
   camera.up = random.direction();
   camera.fovDegrees = random.uniform(10, 120);
-  camera.gridColumns = random.integer(1, 64);
-  camera.gridRows = random.integer(1, 64);
-  camera.screenDistance = random.uniform(0.1, 5);
   return camera;
+}
+
+PixelGrid makeRandomGrid(Random& random) {
+  PixelGrid grid;
+  grid.columns = random.integer(1, 64);
+  grid.rows = random.integer(1, 64);
+  grid.distance = random.uniform(0.1, 5);
+  return grid;
 }
 
 // Far from every camera here.
@@ -31,12 +36,13 @@ TEST(CameraLines, AreTheGridAndTheFrustumOfTheProjection) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Camera camera = makeRandomCamera(random);
-    const int columns = camera.gridColumns, rows = camera.gridRows;
+    const PixelGrid grid = makeRandomGrid(random);
+    const int columns = grid.columns, rows = grid.rows;
     const Projection projection(camera, columns, rows);
-    const auto lines = makeCameraLines(camera, false, std::nullopt, elsewhere);
+    const auto lines = makeCameraLines(camera, grid, false, std::nullopt, elsewhere);
     ASSERT_EQ(lines.size(), std::size_t(columns + 1 + rows + 1 + 4));
     const auto expectAt = [&](const Point& point, double column, double row) {
-      EXPECT_NEAR(glm::dot(point - camera.eye, projection.frame().forward), camera.screenDistance, 1e-9);
+      EXPECT_NEAR(glm::dot(point - camera.eye, projection.frame().forward), grid.distance, 1e-9);
       const auto pixel = projection.pixelOf(point);
       ASSERT_TRUE(pixel);
       EXPECT_NEAR(pixel->x, column, 1e-8);
@@ -67,9 +73,10 @@ TEST(CameraLines, OutlineThePickedCell) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Camera camera = makeRandomCamera(random);
-    const GridCell cell{random.integer(0, camera.gridColumns - 1), random.integer(0, camera.gridRows - 1)};
-    const auto without = makeCameraLines(camera, false, std::nullopt, elsewhere);
-    const auto lines = makeCameraLines(camera, false, cell, elsewhere);
+    const PixelGrid grid = makeRandomGrid(random);
+    const GridCell cell{random.integer(0, grid.columns - 1), random.integer(0, grid.rows - 1)};
+    const auto without = makeCameraLines(camera, grid, false, std::nullopt, elsewhere);
+    const auto lines = makeCameraLines(camera, grid, false, cell, elsewhere);
     ASSERT_EQ(lines.size(), without.size() + 4);
     EXPECT_TRUE(std::equal(without.begin(), without.end(), lines.begin()));
     Point middle(0);
@@ -79,7 +86,7 @@ TEST(CameraLines, OutlineThePickedCell) {
       EXPECT_EQ(lines[i].to, lines[i + 1 < lines.size() ? i + 1 : without.size()].from) << "closed";
       middle += 0.25 * lines[i].from;
     }
-    const auto hit = intersectGrid(camera, {camera.eye, middle - camera.eye});
+    const auto hit = intersectGrid(camera, grid, {camera.eye, middle - camera.eye});
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->cell, cell) << "it is the cell that would be picked there";
   }
@@ -87,8 +94,9 @@ TEST(CameraLines, OutlineThePickedCell) {
 
 TEST(CameraLines, SelectedOnesHaveAnotherColour) {
   const Camera camera;
-  const auto plain = makeCameraLines(camera, false, std::nullopt, elsewhere);
-  const auto selected = makeCameraLines(camera, true, std::nullopt, elsewhere);
+  const PixelGrid grid;
+  const auto plain = makeCameraLines(camera, grid, false, std::nullopt, elsewhere);
+  const auto selected = makeCameraLines(camera, grid, true, std::nullopt, elsewhere);
   ASSERT_EQ(plain.size(), selected.size());
   for (std::size_t i = 0; i < plain.size(); ++i) {
     EXPECT_NE(plain[i].color, selected[i].color);
@@ -98,9 +106,10 @@ TEST(CameraLines, SelectedOnesHaveAnotherColour) {
 
 TEST(CameraLines, AreNotInTheWayOfTheRtCamerasOwnView) {
   const Camera camera;
-  EXPECT_TRUE(makeCameraLines(camera, true, GridCell{}, camera.eye).empty());
-  EXPECT_TRUE(makeCameraLines(camera, true, GridCell{}, camera.eye + Vector(0.1, 0.2, 0.1)).empty());
-  EXPECT_FALSE(makeCameraLines(camera, true, GridCell{}, camera.eye - Vector(0, 1, 0)).empty());
+  const PixelGrid grid;
+  EXPECT_TRUE(makeCameraLines(camera, grid, true, GridCell{}, camera.eye).empty());
+  EXPECT_TRUE(makeCameraLines(camera, grid, true, GridCell{}, camera.eye + Vector(0.1, 0.2, 0.1)).empty());
+  EXPECT_FALSE(makeCameraLines(camera, grid, true, GridCell{}, camera.eye - Vector(0, 1, 0)).empty());
 }
 
 TEST(CameraLines, StayFiniteForAnyCamera) {
@@ -110,10 +119,11 @@ TEST(CameraLines, StayFiniteForAnyCamera) {
   alongUp.up = alongUp.target - alongUp.eye;
   Camera wide;
   wide.fovDegrees = 170;
-  wide.gridColumns = 64;
-  wide.gridRows = 1;
+  PixelGrid grid;
+  grid.columns = 64;
+  grid.rows = 1;
   for (const Camera& camera : {atTarget, alongUp, wide}) {
-    for (const Line& line : makeCameraLines(camera, true, GridCell{}, elsewhere)) {
+    for (const Line& line : makeCameraLines(camera, grid, true, GridCell{}, elsewhere)) {
       EXPECT_TRUE(isFinite(line.from) && isFinite(line.to));
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -13,14 +14,14 @@ namespace {
 using namespace testing;
 
 TEST(CanvasLines, AreOnlyThereWithoutAMirror) {
-  const MirrorShape shapes[] = {PlaneMirror{}, CylinderMirror{}, SphereMirror{}};
-  for (const MirrorShape& shape : shapes) {
+  const Shape shapes[] = {PlaneMirror{}, CylinderMirror{}, SphereMirror{}};
+  for (const Shape& shape : shapes) {
     EXPECT_TRUE(makeCanvasLines({OpticKind::mirror, shape}, false).empty());
-    EXPECT_FALSE(makeCanvasLines({OpticKind::none, shape}, false).empty());
+    EXPECT_FALSE(makeCanvasLines({OpticKind::canvas, shape}, false).empty());
   }
   CylinderMirror flat;
   flat.top = flat.bottom;
-  EXPECT_TRUE(makeCanvasLines({OpticKind::none, flat}, false).empty());
+  EXPECT_TRUE(makeCanvasLines({OpticKind::canvas, flat}, false).empty());
 }
 
 TEST(CanvasLines, BeginAndEndOnTheSurface) {
@@ -28,7 +29,7 @@ TEST(CanvasLines, BeginAndEndOnTheSurface) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const SphereMirror sphere{random.point(20), random.uniform(0.1, 5)};
-    for (const Line& line : makeCanvasLines({OpticKind::none, sphere}, false)) {
+    for (const Line& line : makeCanvasLines({OpticKind::canvas, sphere}, false)) {
       EXPECT_NEAR(glm::length(line.from - sphere.centre), sphere.radius, 1e-9);
       EXPECT_NEAR(glm::length(line.to - sphere.centre), sphere.radius, 1e-9);
     }
@@ -38,7 +39,7 @@ TEST(CanvasLines, BeginAndEndOnTheSurface) {
     cylinder.radius = random.uniform(0.1, 5);
     const Direction axis = glm::normalize(cylinder.top - cylinder.bottom);
     const double height = glm::length(cylinder.top - cylinder.bottom);
-    for (const Line& line : makeCanvasLines({OpticKind::none, cylinder}, false)) {
+    for (const Line& line : makeCanvasLines({OpticKind::canvas, cylinder}, false)) {
       for (const Point& point : {line.from, line.to}) {
         const double up = glm::dot(point - cylinder.bottom, axis);
         EXPECT_NEAR(glm::length(point - cylinder.bottom - up * axis), cylinder.radius, 1e-9);
@@ -51,7 +52,7 @@ TEST(CanvasLines, BeginAndEndOnTheSurface) {
 
 TEST(CanvasLines, OfAPlaneHaveItsCornersAndAreOrangeWhenSelected) {
   const PlaneMirror plane;
-  const auto lines = makeCanvasLines({OpticKind::none, plane}, false);
+  const auto lines = makeCanvasLines({OpticKind::canvas, plane}, false);
   for (int i = 0; i < 4; ++i) {
     const Point a = plane.corners[i], b = plane.corners[(i + 1) % 4];
     const auto isSide = [&](const Line& line) {
@@ -59,7 +60,7 @@ TEST(CanvasLines, OfAPlaneHaveItsCornersAndAreOrangeWhenSelected) {
     };
     EXPECT_EQ(std::count_if(lines.begin(), lines.end(), isSide), 1) << "side " << i;
   }
-  const auto selected = makeCanvasLines({OpticKind::none, plane}, true);
+  const auto selected = makeCanvasLines({OpticKind::canvas, plane}, true);
   ASSERT_EQ(selected.size(), lines.size());
   EXPECT_NE(selected[0].color, lines[0].color);
   EXPECT_EQ(selected[0].from, lines[0].from);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "edit/edit_levels.h"
+#include "pipeline/stages.h"
 #include "viewport/ray_lines.h"
 
 namespace anamorph {
@@ -21,7 +22,7 @@ TEST(ConstructionLines, AreItsSegmentsThenItsArcs) {
       Random random(seed);
       const Level level = makeRandomLevel(shape, random);
       const Construction made =
-          makeConstruction(level, level.original.placement.position + random.point(seed % 5));
+          makeConstruction(makeVertexMap(level), level.original.placement.position + random.point(seed % 5));
       const auto lines = makeConstructionLines(made);
       std::size_t next = 0;
       for (const ConstructionSegment& segment : made.segments) {

@@ -11,7 +11,7 @@ namespace {
 
 using Content = GlTest;
 
-const FinishedLevel& cylinder() {
+const LevelResult& cylinder() {
   return finishedLevel("2-cylinder");
 }
 
@@ -191,7 +191,7 @@ TEST_F(Content, ScreenShowsItsImage) {
   const Camera& camera = input.level.camera;
   const Projection projection(camera, 8, 8);
   const Direction forward = projection.frame().forward;
-  const Point middle = camera.eye + camera.screenDistance * forward;
+  const Point middle = camera.eye + input.level.grid.distance * forward;
   input.pose = {middle + 0.6 * forward, middle, {0, 0, 1}, 60, false};  // seen from the mirror
   auto image = std::make_shared<Image>(2, 2);
   image->at(0, 0) = {1, 0, 0};  // upper left as the RT camera sees it, so upper right from here
@@ -266,8 +266,7 @@ TEST_F(Content, RefittedMeshIsDrawnAsAFreshOne) {
   ViewportInput moved = input;
   moved.level.sculpture.depthScale = 0.4;
   auto sculpture = std::make_shared<Sculpture>(*input.sculpture.sculpture);
-  const PointArray original = sculpture->original;
-  remapSculpture(moved.level.optic, moved.level.camera.eye, 0.4, original, *sculpture, 1);
+  remapSculpture(makeVertexMap(moved.level), *sculpture, 1);
   auto bvh = std::make_shared<Bvh>(*input.sculpture.prepared.bvh);
   bvh->refit(sculpture->mesh.positions);
   PreparedMesh& prepared = moved.sculpture.prepared;

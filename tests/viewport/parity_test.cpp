@@ -44,14 +44,14 @@ Difference differenceOf(const Bitmap& view, const Bitmap& traced, const Pick& pi
   return d;
 }
 
-Bitmap tracedPicture(const FinishedLevel& finished, int width, int height) {
+Bitmap tracedPicture(const LevelResult& finished, int width, int height) {
   ImageRequest request = makeImageRequest(finished.level, width, height, 0);
   request.samplesPerAxis = 1;
   return toBitmap(*makePicture(finished, PictureKind::reflection, request));
 }
 
 /// Whether the mirror is the first thing that the tracer meets in a pixel.
-Pick seesMirror(const FinishedLevel& finished, int width, int height) {
+Pick seesMirror(const LevelResult& finished, int width, int height) {
   const auto scene =
       std::make_shared<RenderScene>(buildScene(makeReflectionScene(finished.level, finished.sculpture)));
   const Projection projection(finished.level.camera, width, height);
@@ -63,7 +63,7 @@ Pick seesMirror(const FinishedLevel& finished, int width, int height) {
 
 TEST_P(Parity, MirrorShowsWhatTheTracerShows) {
   constexpr int size = 320;
-  const FinishedLevel& finished = finishedLevel(GetParam());
+  const LevelResult& finished = finishedLevel(GetParam());
   ViewportInput input = tracerInput(finished, size, size);
   input.display.rtCamera = true;  // not seen from within, and not to be noticed otherwise
   const Bitmap view = pictureOf(input);
@@ -80,7 +80,7 @@ TEST_P(Parity, MirrorShowsWhatTheTracerShows) {
 // Seen from elsewhere, against a camera at that place.
 TEST_P(Parity, HoldsFromTheStartOfTheView) {
   constexpr int width = 240, height = 160;
-  FinishedLevel finished = finishedLevel(GetParam());
+  LevelResult finished = finishedLevel(GetParam());
   const ViewSettings& view = finished.level.view;
   ViewportInput input = tracerInput(finished, width, height);
   input.pose = {view.eye, view.target, {0, 0, 1}, view.fovDegrees, false};
@@ -95,21 +95,10 @@ TEST_P(Parity, HoldsFromTheStartOfTheView) {
 
 TEST_P(Parity, HoldsFarFromTheOrigin) {
   constexpr int size = 160;
-  FinishedLevel finished = finishedLevel(GetParam());
+  LevelResult finished = finishedLevel(GetParam());
   const Vector away(4000, -7000, 0);  // a multiple of the grid of the ground
   Level& level = finished.level;
-  struct Mover {
-    const Vector& by;
-    void operator()(PlaneMirror& plane) const {
-      for (Point& corner : plane.corners) corner += by;
-    }
-    void operator()(CylinderMirror& cylinder) const {
-      cylinder.bottom += by;
-      cylinder.top += by;
-    }
-    void operator()(SphereMirror& sphere) const { sphere.centre += by; }
-  };
-  std::visit(Mover{away}, level.optic.shape);
+  level.optic.shape() = mapShape(level.optic.shape(), {[&](const Point& p) { return p + away; }});
   for (Point* p : {&level.camera.eye, &level.camera.target, &level.original.placement.position}) *p += away;
   for (PointLight& light : level.lights) light.position += away;
   const auto shape = loadOriginal(level.original.shape, "");
@@ -124,7 +113,7 @@ TEST_P(Parity, HoldsFarFromTheOrigin) {
 // Many samples are the tracer's many samples, though at other places in the pixel.
 TEST_P(Parity, ManySamplesGiveTheTracersSmoothPicture) {
   constexpr int size = 120;
-  const FinishedLevel& finished = finishedLevel(GetParam());
+  const LevelResult& finished = finishedLevel(GetParam());
   ImageRequest request = makeImageRequest(finished.level, size, size, 0);
   request.samplesPerAxis = 6;
   const Bitmap traced = toBitmap(*makePicture(finished, PictureKind::reflection, request));

@@ -338,8 +338,7 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
     for (int i = 0; i < wanted; ++i) {
       const int vertex = int((2LL * i + 1) * count / (2LL * wanted));
       seen.insert(vertex);
-      const VertexRay ray = makeVertexRay(level.optic, level.camera.eye, original->positions[vertex],
-                                          level.sculpture.depthScale);
+      const VertexRay ray = makeVertexRay(makeVertexMap(level), original->positions[vertex]);
       const bool mapped = ray.status == PathStatus::mapped;
       unmapped += !mapped;
       if (!mapped && settings.hideNoHit) continue;
@@ -352,10 +351,10 @@ TEST(VertexRayLines, AreTheTwoLegsOfTheSampledVertices) {
         EXPECT_GE(lengthOf(first) * (1 + 1e-12), glm::length(ray.original - ray.eye)) << "past P, or to it";
         continue;
       }
-      EXPECT_EQ(first.to, ray.mirror);
+      EXPECT_EQ(first.to, ray.legs.back().start);
       ASSERT_LT(next, lines.size());
       const Line& second = lines[next++];
-      EXPECT_EQ(second.from, ray.mirror);
+      EXPECT_EQ(second.from, ray.legs.back().start);
       EXPECT_EQ(second.to, ray.sculpture);
       EXPECT_EQ(second.color, rayStyle(RayKind::reflected).color);
     }

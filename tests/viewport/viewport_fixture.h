@@ -8,6 +8,7 @@
 
 #include "gl/test_context.h"
 #include "level/level_json.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
@@ -16,8 +17,8 @@
 namespace anamorph::test {
 
 /// Made once for each level: "1-plane", "2-cylinder", "3-sphere".
-inline const FinishedLevel& finishedLevel(const std::string& name) {
-  static std::map<std::string, FinishedLevel> levels;
+inline const LevelResult& finishedLevel(const std::string& name) {
+  static std::map<std::string, LevelResult> levels;
   const auto found = levels.find(name);
   if (found != levels.end()) return found->second;
   const std::string path = std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
@@ -28,7 +29,7 @@ inline const FinishedLevel& finishedLevel(const std::string& name) {
 }
 
 /// The level as the view starts, small.
-inline ViewportInput startInput(const FinishedLevel& finished, int width = 160, int height = 120) {
+inline ViewportInput startInput(const LevelResult& finished, int width = 160, int height = 120) {
   ViewportInput input;
   input.width = width;
   input.height = height;
@@ -41,9 +42,9 @@ inline ViewportInput startInput(const FinishedLevel& finished, int width = 160, 
 }
 
 /// Only what the tracer's picture shows, from the RT camera's place.
-inline ViewportInput tracerInput(const FinishedLevel& finished, int width, int height) {
+inline ViewportInput tracerInput(const LevelResult& finished, int width, int height) {
   ViewportInput input = startInput(finished, width, height);
-  input.pose = lookThroughPose(finished.level.camera, width, height);
+  input.pose = lookThroughPose(finished.level.camera, finished.level.grid, width, height);
   input.display.originalLook = OriginalLook::hidden;
   input.display.rtCamera = false;
   input.display.lightMarkers = false;

@@ -5,13 +5,14 @@
 
 #include "geometry/shapes.h"
 #include "viewport/viewport_fixture.h"
+#include "shapes.h"
 
 namespace anamorph::test {
 namespace {
 
 using View = GlTest;
 
-const FinishedLevel& cylinder() {
+const LevelResult& cylinder() {
   return finishedLevel("2-cylinder");
 }
 
@@ -125,12 +126,13 @@ TEST_F(View, SurvivesNonsense) {
   inputs[2].pose.up = {0, 0, 0};
   inputs[3].pose.eye = {1e200, 0, 0};
   inputs[4].pose.fovDegrees = inf;
-  inputs[5].level.optic.shape = SphereMirror{{0, 0, 0}, -1};
-  inputs[6].level.optic.shape = CylinderMirror{{0, 0, 0}, {0, 0, nan}, 1};
-  inputs[7].level.optic.shape = SphereMirror{{0, 0, 0}, 1e30};
+  inputs[5].level.optic.shape() = SphereMirror{{0, 0, 0}, -1};
+  inputs[6].level.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, nan}, 1};
+  inputs[7].level.optic.shape() = SphereMirror{{0, 0, 0}, 1e30};
   inputs[8].level.camera.eye = {nan, inf, 0};
   inputs[9].level.lights.assign(100, PointLight{{nan, 0, 3}, Color(inf), 1e300});
-  inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0, nan};
+  inputs[10].level.camera = Camera{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  inputs[10].level.grid = {0, 0, nan};
   inputs[11].pose = {{0.5, 0, 4}, {0, 0, 4}, {0, 0, 1}, 100, false};  // in the mirror
   inputs[12].level.camera.fovDegrees = nan;
   inputs[13] = inputs[9];

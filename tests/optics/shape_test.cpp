@@ -1,10 +1,11 @@
-#include "optics/mirror_shapes.h"
+#include "optics/shape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "optics/optic.h"
 #include "random_scene.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using namespace testing;
 using ::testing::HasSubstr;
 
-TEST(MirrorShapes, PlaneIsHitInsideItsQuadOnly) {
+TEST(Shapes, PlaneIsHitInsideItsQuadOnly) {
   const PlaneMirror plane;  // x and z from -1 to 1 at y = 0
   const auto hit = intersect(plane, {{0.5, -2, 0.25}, {0, 1, 0}});
   ASSERT_TRUE(hit);
@@ -24,20 +25,20 @@ TEST(MirrorShapes, PlaneIsHitInsideItsQuadOnly) {
   EXPECT_FALSE(intersect(plane, {{0, -2, 0}, {1, 0, 0}})) << "parallel to the plane";
 }
 
-TEST(MirrorShapes, BothSidesOfThePlaneReflect) {
+TEST(Shapes, BothSidesOfThePlaneReflect) {
   const auto hit = intersect(PlaneMirror{}, {{0, 3, 0}, {0, -1, 0}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->normal, Direction(0, 1, 0));
 }
 
-TEST(MirrorShapes, DirectionLengthIsTheUnitOfT) {
+TEST(Shapes, DirectionLengthIsTheUnitOfT) {
   const auto hit = intersect(SphereMirror{Point(0), 1}, {{0, -5, 0}, {0, 8, 0}});
   ASSERT_TRUE(hit);
   EXPECT_DOUBLE_EQ(hit->t, 0.5);
   EXPECT_EQ(hit->normal, Direction(0, -1, 0));
 }
 
-TEST(MirrorShapes, CylinderEndsAtItsEnds) {
+TEST(Shapes, CylinderEndsAtItsEnds) {
   const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
   EXPECT_TRUE(intersect(tube, {{0, -5, 1.9}, {0, 1, 0}}));
   EXPECT_FALSE(intersect(tube, {{0, -5, 2.1}, {0, 1, 0}}));
@@ -45,7 +46,7 @@ TEST(MirrorShapes, CylinderEndsAtItsEnds) {
   EXPECT_FALSE(intersect(tube, {{0, 0, -5}, {0, 0, 1}})) << "along the axis";
 }
 
-TEST(MirrorShapes, OpenTubeIsHitFromInsideThroughItsEnd) {
+TEST(Shapes, OpenTubeIsHitFromInsideThroughItsEnd) {
   const CylinderMirror tube{{0, 0, 0}, {0, 0, 2}, 1};
   const auto hit = intersect(tube, {{0, -2, 3}, glm::normalize(Vector(0, 1, -0.6))});
   ASSERT_TRUE(hit);
@@ -53,13 +54,13 @@ TEST(MirrorShapes, OpenTubeIsHitFromInsideThroughItsEnd) {
   EXPECT_NEAR(hit->normal.y, -1, 1e-12);
 }
 
-TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
+TEST(Shapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
   for (const ShapeKind kind : allShapeKinds) {
     for (unsigned seed = 0; seed < 1000; ++seed) {
       SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
       Random random(seed);
       const RandomScene scene = makeRandomScene(kind, random);
-      const auto hit = intersect(scene.optic.shape, {scene.eye, scene.onMirror - scene.eye});
+      const auto hit = intersect(scene.optic.shape(), {scene.eye, scene.onMirror - scene.eye});
       ASSERT_TRUE(hit);
       EXPECT_NEAR(hit->t, 1, 1e-12);
       EXPECT_LT(glm::length(hit->point - scene.onMirror), 1e-12 * 40);
@@ -69,23 +70,23 @@ TEST(MirrorShapes, HitsLieOnTheSurfaceWithUnitNormalsTowardsTheRay) {
   }
 }
 
-TEST(MirrorShapes, TessellationLiesOnTheSurface) {
+TEST(Shapes, TessellationLiesOnTheSurface) {
   Random random(1);
   for (const ShapeKind kind : allShapeKinds) {
     const RandomScene scene = makeRandomScene(kind, random);
-    const Mesh mesh = tessellate(scene.optic.shape, 24);
+    const Mesh mesh = tessellate(scene.optic.shape(), 24);
     ASSERT_FALSE(mesh.triangles.empty());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Point p = mesh.positions[i];
       double off = 0;
-      if (const auto* plane = std::get_if<PlaneMirror>(&scene.optic.shape)) {
-        off = glm::dot(p - plane->corners[0], planeNormal(*plane));
-      } else if (const auto* tube = std::get_if<CylinderMirror>(&scene.optic.shape)) {
+      if (const auto* plane = scene.optic.shape().as<PlaneMirror>()) {
+        off = glm::dot(p - plane->corners[0], plane->normal());
+      } else if (const auto* tube = scene.optic.shape().as<CylinderMirror>()) {
         const Direction axis = glm::normalize(tube->top - tube->bottom);
         const Vector w = p - tube->bottom;
         off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
       } else {
-        const auto& sphere = std::get<SphereMirror>(scene.optic.shape);
+        const auto& sphere = shapeAs<SphereMirror>(scene.optic.shape());
         off = glm::length(p - sphere.centre) - sphere.radius;
       }
       EXPECT_NEAR(off, 0, 1e-12);
@@ -98,8 +99,8 @@ TEST(MirrorProblems, SoundShapesHaveNone) {
     for (unsigned seed = 0; seed < 100; ++seed) {
       Random random(seed);
       const RandomScene scene = makeRandomScene(kind, random);
-      EXPECT_EQ(findShapeProblem(scene.optic.shape), std::nullopt);
-      EXPECT_EQ(findEyeProblem(scene.optic.shape, scene.eye), std::nullopt);
+      EXPECT_EQ(findShapeProblem(scene.optic.shape()), std::nullopt);
+      EXPECT_EQ(findEyeProblem(scene.optic.shape(), scene.eye), std::nullopt);
     }
   }
 }
@@ -107,7 +108,7 @@ TEST(MirrorProblems, SoundShapesHaveNone) {
 TEST(MirrorProblems, BadShapesAreNamed) {
   const Point a(0, 0, 0), b(1, 0, 0), c(1, 0, 1), d(0, 0, 1);
   const struct {
-    MirrorShape shape;
+    Shape shape;
     const char* message;
   } table[] = {
       {PlaneMirror{{a, a, a, a}}, "expected four corners that span an area, got a quad of area 0"},
@@ -132,7 +133,7 @@ TEST(MirrorProblems, BadShapesAreNamed) {
 
 TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
   const struct {
-    MirrorShape shape;
+    Shape shape;
     Point eye;
     const char* message;
   } table[] = {

@@ -1,0 +1,58 @@
+#include "anamorphosis/vertex_map.h"
+
+#include "optics/reflect.h"
+
+namespace anamorph {
+namespace {
+
+// The normal as it would be if the mirror were a sphere about its middle; only for those that the published
+// program took for one.
+Direction publishedNormal(const Optic& optic, const OpticPath& path) {
+  const auto normal = optic.shape()->sphereNormal(path.points[0]);
+  if (!normal) return path.normals[0];
+  return glm::dot(*normal, path.normals[0]) < 0 ? -*normal : *normal;
+}
+
+// Whether the formulas can be used at all. That the ray then goes through the mirror is one of their faults.
+PathStatus publishedStatus(const OpticPath& path) {
+  if (path.travelled > 1) return PathStatus::inFrontOfMirror;
+  return path.sine < grazingSine ? PathStatus::grazing : PathStatus::mapped;
+}
+
+MappedPoint mapPublished(const VertexMap& map, const OpticPath& path, const Point& original) {
+  const PathStatus status = publishedStatus(path);
+  if (status != PathStatus::mapped) return {original, status};
+  const PublishedRay ray = followPublished(map, path, original);
+  if (!isFinite(ray.sculpture)) return {original, PathStatus::grazing};
+  return {ray.sculpture, status};
+}
+
+}  // namespace
+
+PublishedRay followPublished(const VertexMap& map, const OpticPath& path, const Point& original) {
+  const Vector towards = original - map.eye;
+  const Point mirror = path.points[0];
+  PublishedRay ray;
+  ray.normal = map.mistakes.normal ? publishedNormal(map.optic, path) : path.normals[0];
+  ray.reflected = glm::normalize(reflect(map.mistakes.direction ? -towards : towards, ray.normal));
+  ray.distance = glm::length(map.mistakes.distance ? towards - mirror : original - mirror);
+  ray.sculpture = mirror + map.depthScale * ray.distance * ray.reflected;
+  return ray;
+}
+
+bool makesMistakes(const VertexMap& map, const OpticPath& path) {
+  return map.mistakes.any() && path.pointCount > 0 && path.bends;
+}
+
+MappedPoint mapPoint(const VertexMap& map, const Point& original) {
+  const Vector towards = original - map.eye;
+  if (!(lengthSquared(towards) > 0)) return {original, PathStatus::inFrontOfMirror};
+  const OpticPath path = followRay(map.optic, {map.eye, towards});
+  if (makesMistakes(map, path)) return mapPublished(map, path, original);
+  const double exitLength = map.depthScale * (1 - path.travelled);
+  const PathStatus status = statusOf(map.optic, path, exitLength);
+  if (status != PathStatus::mapped) return {original, status};
+  return {path.exit.at(exitLength), status};
+}
+
+}  // namespace anamorph

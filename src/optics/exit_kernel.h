@@ -1,0 +1,104 @@
+// Many rays through a mirror at once: the loop that all shapes share. A shape brings its bounce, which tells
+// where the ray E + t V meets the surface; the rest is the same for all. Blocks stay in the first-level cache, on
+// separate arrays, without branches, so that it vectorises.
+//
+// Only the plain case is decided here: one bounce, the target behind the mirror, not grazing, and no second
+// bounce possible. For every other target `plain` is 0 and followRay (optic.h) has to be asked; where it is 1,
+// both agree to the bit.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/target_clones.h"
+#include "math/vec.h"
+
+namespace anamorph {
+
+/// Coordinates of the same points, in separate arrays.
+template <typename Number>
+struct PointPointers {
+  Number* x;
+  Number* y;
+  Number* z;
+};
+
+constexpr std::size_t exitBlockSize = 256;
+
+/// sin(1 degree): a ray flatter than this grazes.
+constexpr double grazingSine = 0.017452406437283512;
+
+/// Targets of rays from one eye, and where their results go; `points` must not overlap `targets`.
+struct ExitBlock {
+  Point eye;
+  double depthScale;
+  PointPointers<const double> targets;
+  std::size_t count;  ///< at most exitBlockSize
+  PointPointers<double> points;
+  std::int64_t* plain;  ///< 1 or 0; where it is 0 the point is unspecified
+};
+
+/// What a bounce answers for one ray.
+struct BouncePoint {
+  double t;
+  Vector normal;   ///< unit, towards either side
+  bool onSurface;  ///< and the plain case as far as the shape can tell
+};
+
+/// The first root of a t^2 + 2 b t + c when the eye is outside (c > 0) and the ray comes nearer; `valid` is false
+/// otherwise. The same bits as solveQuadratic's.
+struct OutsideRoot {
+  double t;
+  bool valid;
+};
+[[gnu::always_inline]] inline OutsideRoot firstFromOutside(double a, double b, double c) {
+  const double discriminant = b * b - a * c;
+  const bool valid = (discriminant >= 0) & (b < 0) & (c > 0);
+  return {c / (std::sqrt(std::abs(discriminant)) - b), valid};  // abs: no branch, so that loops vectorise
+}
+
+/// How many are plain. That no array overlaps another has to be said at the parameters of the very function that
+/// holds the loop; only what is forced inline gets the clone's instruction set, so a bounce is a struct with a
+/// forced operator().
+template <typename Bounce>
+ANAMORPH_TARGET_CLONES std::size_t followArrays(const Bounce& sharedBounce, const Point& sharedEye,
+                                                double depthScale, const double* __restrict px,
+                                                const double* __restrict py, const double* __restrict pz,
+                                                std::size_t count, double* __restrict sx,
+                                                double* __restrict sy, double* __restrict sz,
+                                                std::int64_t* __restrict plain) {
+  constexpr double steepSquared = grazingSine * grazingSine * (1 + 1e-6);  // what is near it is not plain
+  const Bounce bounce = sharedBounce;  // copies that nothing written below can change
+  const Point eye = sharedEye;
+  std::int64_t plainCount = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector v = Point(px[i], py[i], pz[i]) - eye;
+    const BouncePoint hit = bounce(eye, v);
+    const double across = glm::dot(v, hit.normal);
+    const Vector reflected = v - 2 * across * hit.normal;
+    const Point s = (eye + hit.t * v) + depthScale * (1 - hit.t) * reflected;
+    sx[i] = s.x;
+    sy[i] = s.y;
+    sz[i] = s.z;
+    const bool steep = across * across > steepSquared * glm::dot(v, v);
+    const std::int64_t isPlain = hit.onSurface & (hit.t > 0) & (hit.t <= 1) & steep;
+    plain[i] = isPlain;
+    plainCount += isPlain;
+  }
+  return static_cast<std::size_t>(plainCount);
+}
+
+template <typename Bounce>
+std::size_t followBlock(const Bounce& bounce, const ExitBlock& b) {
+  return followArrays(bounce, b.eye, b.depthScale, b.targets.x, b.targets.y, b.targets.z, b.count, b.points.x,
+                      b.points.y, b.points.z, b.plain);
+}
+
+inline std::size_t followNone(const ExitBlock& b) {
+  std::fill(b.plain, b.plain + b.count, 0);
+  return 0;
+}
+
+}  // namespace anamorph

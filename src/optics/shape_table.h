@@ -1,0 +1,36 @@
+// The shapes that there are, by their names: what files, panels, lessons and tests choose from.
+#pragma once
+
+#include <vector>
+
+#include "optics/shape.h"
+
+namespace anamorph {
+
+struct ShapeType {
+  const char* name;   ///< in files: "plane"
+  const char* label;  ///< in panels, English: "Plane"
+  Shape standard;     ///< with its usual fields
+  /// One that fills a room, sound and seen from outside by the eye.
+  Shape (*filling)(const ShapeExtent& room, const Point& eye);
+};
+
+template <typename S>
+ShapeType shapeType() {
+  return {S::name, S::label, Shape(S{}),
+          [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }};
+}
+
+/// All of them, in the order in which they are offered.
+const std::vector<ShapeType>& shapeTypes();
+
+/// Their names in files, in that order.
+std::vector<const char*> shapeNames();
+
+/// Which of them a shape is.
+std::size_t shapeIndex(const Shape& shape);
+
+/// Adds one more, for as long as the program runs: for tests.
+void registerShape(ShapeType type);
+
+}  // namespace anamorph
