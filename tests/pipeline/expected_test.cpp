@@ -73,7 +73,7 @@ TEST(ExpectedProblem, ThesisCylinderIsExplained) {
   const LoadedLevel loaded = loadLevel(data + "/scenes/thesis-cylinder.json");
   const Mesh mesh = loadMesh(data + "/meshes/box.obj");
   const auto original = placeOriginal(mesh, false, loaded.level.original.placement);
-  EXPECT_EQ(findProblem(loaded.level, *original),
+  EXPECT_EQ(findProblem(loaded.level, boundingBox(original->positions)),
             "the eye is inside the cylinder (continued beyond its ends): it is 5 from the axis and the "
             "radius is 10. "
             "From there no ray meets the outside of the mirror. Move the eye away from the axis, or make the "
