@@ -22,15 +22,10 @@ SHADER_CONSTANT(int, hitMirror, anamorph::ObjectKind::optic)
 SHADER_CONSTANT(int, hitGround, anamorph::ObjectKind::ground)
 SHADER_CONSTANT(int, hitMarker, anamorph::ObjectKind::light)
 
-// Why a vertex is not mapped, and the colour of that; the colour of what is selected.
+// Why a vertex is not mapped.
 SHADER_CONSTANT(int, missesMirror, anamorph::PathStatus::missesMirror)
 SHADER_CONSTANT(int, inFrontOfMirror, anamorph::PathStatus::inFrontOfMirror)
 SHADER_CONSTANT(int, grazing, anamorph::PathStatus::grazing)
-SHADER_CONSTANT(vec3, missesMirrorInk, anamorph::inkOf(anamorph::palette::vertexStatus[1]))
-SHADER_CONSTANT(vec3, inFrontOfMirrorInk, anamorph::inkOf(anamorph::palette::vertexStatus[2]))
-SHADER_CONSTANT(vec3, grazingInk, anamorph::inkOf(anamorph::palette::vertexStatus[3]))
-SHADER_CONSTANT(vec3, hitsMirrorAgainInk, anamorph::inkOf(anamorph::palette::vertexStatus[4]))
-SHADER_CONSTANT(vec3, selectedInk, anamorph::inkOf(anamorph::palette::selected))
 
 // In which colour it is drawn, and what is selected.
 SHADER_CONSTANT(vec3, missesMirrorInk, anamorph::statusInk(anamorph::PathStatus::missesMirror))

@@ -6,7 +6,6 @@
 
 #include "geometry/bvh_build.h"
 #include "gl/texture.h"
-#include "math/palette.h"
 #include "optics/optic.h"
 #include "raytrace/look.h"
 #include "raytrace/scene.h"
