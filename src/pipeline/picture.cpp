@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "base/check.h"
+#include "level/limits.h"
 #include "math/palette.h"
+#include "raytrace/tracer.h"
 
 namespace anamorph {
 Image markDifferences(Image picture, const Match& match) {
@@ -57,6 +59,7 @@ ImageRequest makeImageRequest(const LevelScene& level, int width, int height, in
   request.width = width;
   request.height = height;
   request.samplesPerAxis = level.tracing.samplesPerAxis;
+  static_assert(limits::reflections.max == maxTraceDepth);
   request.maxDepth = level.tracing.maxDepth;
   request.shadows = level.tracing.shadows;
   request.threads = threads;
