@@ -12,9 +12,9 @@ void main() {
   vec4 p = texelFetch(positions, texelCoord(surfaceOffsets[sculptureSurface].z + gl_InstanceID), 0);
   vec3 point = surfaceCentre[sculptureSurface].xyz + p.xyz;
   float z = viewDepth(point);
-  int status = int(0.5 - p.w);  // PathStatus; colours of Okabe and Ito
-  ink = status == missesMirror ? vec3(0.835, 0.369, 0.0) : status == inFrontOfMirror ? vec3(0.8, 0.475, 0.655)
-      : status == grazing ? vec3(0.941, 0.894, 0.259) : vec3(0.902, 0.624, 0.0);
+  int status = int(0.5 - p.w);  // PathStatus
+  ink = status == missesMirror ? missesMirrorInk : status == inFrontOfMirror ? inFrontOfMirrorInk
+      : status == grazing ? grazingInk : hitsMirrorAgainInk;
   middle = vec3(0.0);
   gl_Position = vec4(0.0, 0.0, -2.0, 1.0);
   if (p.w > 0.5 || !(z > 0.0)) return;

@@ -18,5 +18,5 @@ void main() {
     nearby = max(nearby, texture(mask, (gl_FragCoord.xy + 0.5 * around) * pixel).r);
   }
   float alpha = nearby * (1.0 - texelFetch(mask, ivec2(gl_FragCoord.xy), 0).r);
-  color = vec4(vec3(1.0, 0.35, 0.0) * alpha, alpha);
+  color = vec4(selectedInk * alpha, alpha);
 }

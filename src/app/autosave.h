@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "edit/session.h"
-#include "panels/ui_state.h"
+#include "panels/recovery_dialog.h"
 #include "pipeline/worker.h"
 
 namespace anamorph {

@@ -2,7 +2,7 @@
 // ImGui's own pixel font serves.
 #pragma once
 
-#include "panels/ui_state.h"
+#include "panels/look.h"
 
 namespace anamorph {
 

@@ -15,12 +15,12 @@
 #include "base/resources.h"
 #include "edit/advance.h"
 #include "gl/load_gl.h"
-#include "panels/actions.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels/file_flow.h"
+#include "panels/key_input.h"
 #include "panels/panels.h"
 #include "panels/style.h"
-#include "panels/view_panel.h"
+#include "panels/view_mouse.h"
 #include "panels/widgets.h"
 #include "raytrace/png.h"
 
@@ -79,7 +79,7 @@ Gui::~Gui() {
 }
 
 void Gui::open(const std::filesystem::path& path) {
-  endViewDrag(*editor_, ui_, false);  // it would put the old level into the new one's place
+  endViewDrag(*editor_, ui_.mouse, false);  // it would put the old level into the new one's place
   letGoOfWidgets();
   try {
     openLevel(*editor_, path);
@@ -123,13 +123,13 @@ void Gui::refreshLanguage() {
 
 void Gui::refreshStyle() {
   const Preferences& p = ui_.preferences;
-  ui_.scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme) * shotFactor_;
+  const double scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme) * shotFactor_;
   const bool asBefore =
-      ui_.scale == styleScale_ && p.theme == styleTheme_ && ui_.presenting == (ui_.fonts.huge != nullptr);
+      ui_.scale == scale && ui_.theme == p.theme && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
-  styleScale_ = ui_.scale;
-  styleTheme_ = p.theme;
-  applyStyle(p.theme, ui_.scale);
+  ui_.theme = p.theme;
+  ui_.scale = scale;
+  applyStyle(p.theme, scale);
   ui_.fonts = loadFonts(std::round(textPixels * ui_.scale), ui_.presenting);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -170,7 +170,7 @@ void Gui::drawView(double seconds, const ViewQuality* forced) {
   times_.gpu = timer_.result();
   if (drawn) governor_.took(quality, software_ ? times_.view : times_.gpu);
   if (moving) lastInput_ = std::move(input);
-  ui_.viewScale = quality.scale;
+  ui_.viewProblem = viewport_->problem();
   ui_.textures.view = {viewport_->texture(), editor_->viewWidth, editor_->viewHeight, true};
 }
 

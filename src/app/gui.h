@@ -54,7 +54,7 @@ class Gui {
   /// Whether the next frame would differ without any input.
   bool unfinished() const;
   /// Whether a clock of the panels runs: the tour's, or that of what "show me" points at.
-  bool isPlaying() const { return ui_.tourCard >= 0 || ui_.highlightSeconds > 0; }
+  bool isPlaying() const { return ui_.tour.goesOn() || ui_.highlight.seconds > 0; }
   /// A key went down (`repeated`: is held down); ignored while text is typed, unless a dialog is open.
   void key(int key, int modifiers, bool repeated = false);
   /// Files were dropped on the window.
@@ -94,8 +94,6 @@ class Gui {
   std::map<std::string, ImageTexture> thumbnails_;
 
   double screenScale_ = 1, shotFactor_ = 1;
-  double styleScale_ = 0;
-  Theme styleTheme_ = Theme::dark;
   std::optional<std::string> language_;  // that is in force
   bool transparent_ = false;
   bool software_;

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "gl/texture.h"
-#include "panels/ui_state.h"
+#include "panels/textures.h"
 #include "raytrace/image.h"
 
 namespace anamorph {

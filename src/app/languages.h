@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/language.h"
-#include "panels/ui_state.h"
+#include "panels/preferences.h"
 
 namespace anamorph {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "panels/ui_state.h"
+#include "panels/preferences.h"
 
 namespace anamorph {
 

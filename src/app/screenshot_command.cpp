@@ -79,7 +79,7 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
   if (options.help) perform(Action::help, editor, ui);
   if (options.exporting) perform(Action::exportFiles, editor, ui);
   if (options.progress) perform(Action::progress, editor, ui);
-  if (options.tour > 0) ui.tourCard = options.tour - 1;
+  if (options.tour > 0) ui.tour.card = options.tour - 1;
 }
 
 void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {

@@ -48,7 +48,7 @@ void loadRecent(const fs::path& folder, UiState& ui) {
     const JsonValue json =
         parseJson(readFile(recentFile(folder), std::size_t{1} << 20).view(), recentFile(folder).string());
     append(json, "levels", ui.recentLevels, maxRecentLevels);
-    append(json, "folders", ui.recentFolders, maxRecentFolders);
+    append(json, "folders", ui.browser.recentFolders, maxRecentFolders);
   } catch (const Error&) {
     // Nobody's work: it is written anew with the next level.
   }
@@ -59,7 +59,7 @@ void saveRecent(const fs::path& folder, UiState& ui) {
   makeFolder(folder);
   writeFile(recentFile(folder), formatJson(JsonObject()
                                                .add("levels", listOf(ui.recentLevels))
-                                               .add("folders", listOf(ui.recentFolders))
+                                               .add("folders", listOf(ui.browser.recentFolders))
                                                .value()) +
                                     "\n");
 }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "cli/report.h"
 #include "edit/session.h"
+#include "panels/dialogs.h"
 
 namespace anamorph {
 namespace {
@@ -28,13 +29,6 @@ JsonValue rectJson(const Rect& r) {
 const char* nameOf(Part part) {
   constexpr std::array names{"none", "eye", "aim", "original", "mirror", "sculpture", "light"};
   return names.at(static_cast<std::size_t>(part));
-}
-
-const char* dialogName(const UiState& ui) {
-  if (ui.notice) return "notice";
-  if (ui.browser.open) return "browser";
-  if (ui.unsaved) return "unsaved";
-  return ui.recoveries.empty() ? "" : "recovery";
 }
 
 JsonValue poseJson(const ViewPose& pose) {
@@ -74,6 +68,7 @@ std::string stateLine(Gui& gui, std::size_t frame) {
                                           : JsonValue())
                          .add("pointPicked", editor.point.has_value())
                          .add("problem", products.problem.value_or(""))
+                         .add("viewProblem", ui.viewProblem)
                          .add("refined", products.refined)
                          .add("complete", products.complete)
                          .add("iou", iou)
@@ -93,11 +88,11 @@ std::string stateLine(Gui& gui, std::size_t frame) {
                          .add("presenting", ui.presenting)
                          .add("exporting", ui.exporting.open)
                          .add("exported", std::size_t(editor.exported))
-                         .add("tourCard", double(ui.tourCard))
+                         .add("tourCard", double(ui.tour.card))
                          .add("message", editor.message)
                          .add("title", windowTitle(editor.session))
                          .add("job", editor.job.busy())
-                         .add("dialog", std::string(dialogName(ui)))
+                         .add("dialog", std::string(openDialog(ui)))
                          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
                          .add("typed", ui.browser.text)
                          .add("notice", ui.notice ? ui.notice->text : "")

@@ -105,7 +105,7 @@ ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const Show
   input.original = result.original;
   input.sculpture = shownSculpture(editor);
   input.display = editor.display;
-  if (!input.display.background) input.display.background = skyOf(ui.preferences.theme);
+  if (!input.display.background) input.display.background = skyOf(ui.theme);
   if (editor.lookingThrough && !editor.flight) {
     input.display.rtCamera = false;
     // The ghost would lie exactly over its own reflection.
@@ -114,7 +114,7 @@ ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const Show
   input.selection = editor.selection;
   input.lines = lines_;
   input.screen = result.screen;
-  input.lineScale = ui.scale * (ui.preferences.theme == Theme::projector ? 1.6 : 1);
+  input.lineScale = ui.scale * (ui.theme == Theme::projector ? 1.6 : 1);
   input.transparent = transparent;
   if (transparent) input.display.lightMarkers = false;
   return input;

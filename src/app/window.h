@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "panels/ui_state.h"
+#include "panels/look.h"
 
 namespace anamorph {
 

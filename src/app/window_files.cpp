@@ -13,13 +13,14 @@ namespace anamorph {
 WindowFiles::WindowFiles(std::filesystem::path folder, Gui& gui)
     : folder_(std::move(folder)), gui_(gui), autosave_(folder_), rescued_(findRescued(folder_)) {
   UiState& ui = gui_.ui();
-  for (const Rescued& rescued : rescued_) ui.recoveries.push_back(rescued.entry);
-  while (ui.recoverySelected + 1 < rescued_.size() && !rescued_[ui.recoverySelected].entry.problem.empty()) {
-    ++ui.recoverySelected;
+  for (const Rescued& rescued : rescued_) ui.recovery.entries.push_back(rescued.entry);
+  while (ui.recovery.selected + 1 < rescued_.size() &&
+         !rescued_[ui.recovery.selected].entry.problem.empty()) {
+    ++ui.recovery.selected;
   }
   loadRecent(folder_, ui);
   keptLevels_ = ui.recentLevels;
-  keptFolders_ = ui.recentFolders;
+  keptFolders_ = ui.browser.recentFolders;
 }
 
 void WindowFiles::update(double now) {
@@ -33,7 +34,7 @@ void WindowFiles::update(double now) {
 }
 
 void WindowFiles::answer(const RecoveryAnswer& answer) {
-  std::vector<RecoveryEntry>& offered = gui_.ui().recoveries;
+  std::vector<RecoveryEntry>& offered = gui_.ui().recovery.entries;
   if (answer.index >= rescued_.size()) return;
   bool more = false;
   if (answer.kind == RecoveryAnswer::Kind::discard) {
@@ -71,14 +72,14 @@ bool WindowFiles::restore(Rescued& rescued) {
 
 void WindowFiles::keepRecent() {
   UiState& ui = gui_.ui();
-  if (ui.recentLevels == keptLevels_ && ui.recentFolders == keptFolders_) return;
+  if (ui.recentLevels == keptLevels_ && ui.browser.recentFolders == keptFolders_) return;
   try {
     saveRecent(folder_, ui);
   } catch (const Error& error) {
     gui_.editor().message = error.what();
   }
   keptLevels_ = ui.recentLevels;
-  keptFolders_ = ui.recentFolders;
+  keptFolders_ = ui.browser.recentFolders;
 }
 
 }  // namespace anamorph

@@ -198,7 +198,6 @@ Construction makeConstruction(const VertexMap& map, const Point& original) {
   return made;
 }
 
-
 const std::optional<Construction>& ConstructionStage::at(const VertexMap& map, const Point& original) {
   return memo_.get({map, original}, [](const Input& input) {
     return std::optional(makeConstruction(input.map, input.original));

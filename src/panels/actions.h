@@ -1,12 +1,14 @@
-// What can be done by a key or from a menu: one table of names and keys, which menus, help and the keyboard
-// share.
+// What can be done by a key, from a menu or by a button: one table, which menus, help, keyboard and buttons share.
+// What cannot be done now is grey in the menu, and its key does nothing.
 #pragma once
 
-#include <optional>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "edit/editor.h"
+#include "panels/keys.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -55,46 +57,43 @@ enum class Action {
   previousPanel,
   fullscreen,
 };
+constexpr std::size_t actionCount = static_cast<std::size_t>(Action::fullscreen) + 1;
 
-/// Key codes as GLFW numbers them: letters and digits are their capital ASCII characters.
-namespace keys {
-constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, right = 262, left = 263, down = 264,
-              up = 265, pageUp = 266, pageDown = 267, home = 268, end = 269, padEnter = 335, f1 = 290,
-              f2 = 291, f3 = 292, f4 = 293, f5 = 294, f6 = 295, f11 = 300, f12 = 301, pad0 = 320, space = 32;
-constexpr int shift = 1, control = 2, alt = 4;
-}  // namespace keys
-
-struct Shortcut {
-  Action action;
-  int key;
-  int modifiers;  ///< exactly these
-  const char* keyName;
+/// Up to two; `vrt` takes the first one's place with the keys of Virtual Ray Tracer.
+struct ActionKeys {
+  Key first;
+  Key second = {};
+  Key vrt = {};
 };
 
-struct ActionText {
+using ActionTest = bool (*)(const Editor&, const UiState&);
+inline constexpr ActionTest always = [](const Editor&, const UiState&) { return true; };
+inline constexpr ActionTest never = [](const Editor&, const UiState&) { return false; };
+
+struct ActionRow {
   Action action;
-  const char* name;
+  const char* name;  ///< English, as all texts
   const char* help;
+  ActionKeys keys;
+  void (*run)(Editor&, UiState&);
+  ActionTest enabled = always;
+  ActionTest ticked = never;  ///< in the menu
 };
 
-/// All actions, in the order of the help.
-const std::vector<ActionText>& actionTexts();
-std::vector<Shortcut> shortcuts(bool vrtKeys);
+/// Every action once, in the order of the help.
+std::span<const ActionRow> actionTable();
+const ActionRow& rowOf(Action action);
 
-/// The first key of an action, for menus: "Ctrl+Z"; empty when it has none.
-std::string keyNameOf(Action action, bool vrtKeys);
+/// The keys of an action, the first one for menus.
+std::vector<Key> keysOf(const ActionRow& row, bool vrtKeys);
+/// The row that has this key; null: none.
+const ActionRow* findAction(const Key& key, bool vrtKeys);
+
+bool isEnabled(Action action, const Editor& editor, const UiState& ui);
+/// Does it, if it can be done now; what only the window can do is put into ui.requests.
+void perform(Action action, Editor& editor, UiState& ui);
 
 /// Whether the level that is open is this one, however its path is written.
 bool isOpen(const Editor& editor, const LevelEntry& entry);
-
-/// Whether the list has a level after the open one.
-bool hasNextLevel(const Editor& editor, const UiState& ui);
-
-/// Does it; what only the window can do is put into ui.requests.
-void perform(Action action, Editor& editor, UiState& ui);
-
-/// A key went down while no text is typed. Returns whether it meant something. X, Y and Z lock the axis of a
-/// drag. While a dialog is open it gets the key, also while text is typed; `repeated`: it is held down.
-bool handleKey(int key, int modifiers, Editor& editor, UiState& ui, bool repeated = false);
 
 }  // namespace anamorph

@@ -23,16 +23,16 @@ struct Place {
   fs::path folder;
 };
 
-std::vector<Place> placesOf(const UiState& ui) {
+std::vector<Place> placesOf(const FileBrowser& browser) {
   std::vector<Place> places{{tr("Home"), homeFolder()}};
-  if (ui.browser.purpose == FilePurpose::openLevel) {
+  if (browser.purpose == FilePurpose::openLevel) {
     try {
       places.push_back({tr("Installed levels"), levelFolder()});
     } catch (const Error&) {
       // There are none.
     }
   }
-  for (const fs::path& folder : ui.recentFolders) {
+  for (const fs::path& folder : browser.recentFolders) {
     const bool known =
         std::any_of(places.begin(), places.end(), [&](const Place& place) { return place.folder == folder; });
     if (!known) places.push_back({folder.filename().string(), folder});
@@ -40,12 +40,12 @@ std::vector<Place> placesOf(const UiState& ui) {
   return places;
 }
 
-std::optional<fs::path> placeRows(UiState& ui) {
+std::optional<fs::path> placeRows(const FileBrowser& browser) {
   std::optional<fs::path> chosen;
   int number = 0;
-  for (const Place& place : placesOf(ui)) {
+  for (const Place& place : placesOf(browser)) {
     ImGui::PushID(number++);
-    if (ImGui::Selectable(place.name.c_str(), place.folder == ui.browser.folder)) chosen = place.folder;
+    if (ImGui::Selectable(place.name.c_str(), place.folder == browser.folder)) chosen = place.folder;
     tooltip(place.folder.string().c_str());
     ImGui::PopID();
   }
@@ -59,46 +59,45 @@ bool isBelow(const fs::path& folder, const fs::path& root) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-fs::path usualFolder(const UiState& ui) {
-  return ui.recentFolders.empty() ? homeFolder() : ui.recentFolders.front();
+fs::path usualFolder(const FileBrowser& browser) {
+  return browser.recentFolders.empty() ? homeFolder() : browser.recentFolders.front();
 }
 
-void rememberFolder(UiState& ui, const fs::path& folder) {
-  auto& folders = ui.recentFolders;
+void rememberFolder(FileBrowser& browser, const fs::path& folder) {
+  auto& folders = browser.recentFolders;
   folders.erase(std::remove(folders.begin(), folders.end(), folder), folders.end());
   folders.insert(folders.begin(), folder);
   if (folders.size() > maxRecentFolders) folders.resize(maxRecentFolders);
 }
 
-bool placesAreBeside(const UiState& ui) {
-  return ImGui::GetWindowWidth() > 560 * static_cast<float>(ui.scale);
+bool placesAreBeside(const Look& look) {
+  return ImGui::GetWindowWidth() > 560 * static_cast<float>(look.scale);
 }
 
-fs::path proposedExport(const UiState& ui, const fs::path& lastFolder, const fs::path& level,
+fs::path proposedExport(const FileBrowser& browser, const fs::path& lastFolder, const fs::path& level,
                         const std::string& name) {
   const std::string stem = level.stem().string();
-  return (lastFolder.empty() ? usualFolder(ui) : lastFolder) / (stem.empty() ? name : stem + "-" + name);
+  return (lastFolder.empty() ? usualFolder(browser) : lastFolder) / (stem.empty() ? name : stem + "-" + name);
 }
 
-std::optional<fs::path> drawPathRow(UiState& ui) {
-  const FileBrowser& b = ui.browser;
+std::optional<fs::path> drawPathRow(const FileBrowser& browser, const Look& look) {
   const ImGuiStyle& style = ImGui::GetStyle();
   std::optional<fs::path> chosen;
-  ImGui::BeginDisabled(!b.folder.has_relative_path() || b.folder == b.root);
-  if (ImGui::Button(tr("Up"))) chosen = b.folder.parent_path();
+  ImGui::BeginDisabled(!browser.folder.has_relative_path() || browser.folder == browser.root);
+  if (ImGui::Button(tr("Up"))) chosen = browser.folder.parent_path();
   ImGui::EndDisabled();
   tooltip("Backspace does the same while nothing is typed.");
-  if (!placesAreBeside(ui)) {
+  if (!placesAreBeside(look)) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(7 * ImGui::GetFontSize());
     if (ImGui::BeginCombo("##places", tr("Places"))) {
-      if (const auto place = placeRows(ui)) chosen = place;
+      if (const auto place = placeRows(browser)) chosen = place;
       ImGui::EndCombo();
     }
   }
   // As many of the last parts as there is room for.
   std::vector<fs::path> parts;
-  for (fs::path path = b.folder; parts.empty() || path != parts.back(); path = path.parent_path()) {
+  for (fs::path path = browser.folder; parts.empty() || path != parts.back(); path = path.parent_path()) {
     parts.push_back(path);
   }
   const auto nameOf = [](const fs::path& path) {
@@ -119,7 +118,7 @@ std::optional<fs::path> drawPathRow(UiState& ui) {
   }
   for (std::size_t i = count; i-- > 0;) {
     ImGui::PushID(static_cast<int>(i));
-    const FontScope strong(i == 0 ? ui.fonts.strong : nullptr);
+    const FontScope strong(i == 0 ? look.fonts.strong : nullptr);
     if (ImGui::Button(nameOf(parts[i]).c_str()) && i > 0) chosen = parts[i];
     ImGui::PopID();
     if (i > 0) ImGui::SameLine(0, style.ItemInnerSpacing.x);
@@ -127,9 +126,9 @@ std::optional<fs::path> drawPathRow(UiState& ui) {
   return chosen;
 }
 
-std::optional<fs::path> drawPlaces(UiState& ui, float below) {
-  ImGui::BeginChild("places", {170 * static_cast<float>(ui.scale), -below});
-  const auto chosen = placeRows(ui);
+std::optional<fs::path> drawPlaces(const FileBrowser& browser, const Look& look, float below) {
+  ImGui::BeginChild("places", {170 * static_cast<float>(look.scale), -below});
+  const auto chosen = placeRows(browser);
   ImGui::EndChild();
   return chosen;
 }

@@ -1,10 +1,11 @@
-// The steps of the file browser, between its keys and buttons and its state (file_browser.h).
+// The steps of the file browser, between its keys and buttons and its state (browser_state.h).
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "panels/ui_state.h"
+#include "panels/browser_state.h"
+#include "panels/keys.h"
 
 namespace anamorph {
 
@@ -25,10 +26,10 @@ void enterFolder(FileBrowser& b, const std::filesystem::path& path);
 /// A click or an arrow; to save, a file's name comes into the field.
 void selectRow(FileBrowser& b, int row);
 /// Enter, or the first button: enters a folder, makes one, asks, chooses.
-void acceptChoice(UiState& ui);
+void acceptChoice(FileBrowser& b);
 /// Esc, or the second button: out of a question, out of naming a folder, out of the browser.
 void leaveStep(FileBrowser& b);
 /// The keys typed since the last frame. Backspace goes up if the field was empty before it.
-void handleBrowserKeys(UiState& ui, bool fieldWasEmpty, int rowsInSight);
+void handleBrowserKeys(FileBrowser& b, const DialogKeys& typed, bool fieldWasEmpty, int rowsInSight);
 
 }  // namespace anamorph

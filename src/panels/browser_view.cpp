@@ -1,4 +1,4 @@
-// The file browser on the screen; what it does is in file_browser.cpp.
+#include "panels/browser_view.h"
 
 #include <algorithm>
 #include <utility>
@@ -35,8 +35,7 @@ void drawIcon(bool folder, ImVec2 at, float size) {
   }
 }
 
-void drawRow(UiState& ui, int row) {
-  FileBrowser& b = ui.browser;
+void drawRow(FileBrowser& b, int row) {
   const FolderEntry entry =
       b.listing.entries[static_cast<std::size_t>(b.shown[static_cast<std::size_t>(row)])];
   ImGui::PushID(row);
@@ -45,7 +44,7 @@ void drawRow(UiState& ui, int row) {
   if (ImGui::Selectable("##row", row == b.selected, ImGuiSelectableFlags_AllowDoubleClick)) {
     selectRow(b, row);
     b.bringIntoView = false;  // it is under the mouse
-    if (ImGui::IsMouseDoubleClicked(0)) acceptChoice(ui);
+    if (ImGui::IsMouseDoubleClicked(0)) acceptChoice(b);
   }
   drawIcon(entry.isFolder, at, size);
   ImGui::GetWindowDrawList()->AddText({at.x + 1.4f * size, at.y}, ImGui::GetColorU32(ImGuiCol_Text),
@@ -74,8 +73,7 @@ bool footerIsOneLine(const FileBrowser& b) {
 }
 
 // Returns how many rows are in sight.
-int drawList(UiState& ui, const ImVec2& size) {
-  FileBrowser& b = ui.browser;
+int drawList(FileBrowser& b, const ImVec2& size) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   ImGui::BeginChild("files", size, true);
   const float height = ImGui::GetTextLineHeightWithSpacing(), room = ImGui::GetContentRegionAvail().y;
@@ -90,7 +88,7 @@ int drawList(UiState& ui, const ImVec2& size) {
   while (clipper.Step()) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       if (row < static_cast<int>(b.shown.size()))
-        drawRow(ui, row);  // a double click may have changed the list
+        drawRow(b, row);  // a double click may have changed the list
     }
   }
   clipper.End();
@@ -124,8 +122,7 @@ int placeCaret(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-void drawField(UiState& ui) {
-  FileBrowser& b = ui.browser;
+void drawField(FileBrowser& b) {
   const char* newFolder = "New folder";
   const ImGuiStyle& style = ImGui::GetStyle();
   const float button = ImGui::CalcTextSize(tr(newFolder)).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
@@ -159,10 +156,9 @@ void drawField(UiState& ui) {
   }
 }
 
-void drawFooter(UiState& ui) {
-  FileBrowser& b = ui.browser;
+void drawFooter(FileBrowser& b, const Look& look) {
   if (!b.problem.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(look.theme));
     paragraph(b.problem);
     ImGui::PopStyleColor();
   }
@@ -175,7 +171,7 @@ void drawFooter(UiState& ui) {
     ImGui::PopTextWrapPos();
   } else {
     const bool oneLine = footerIsOneLine(b);
-    drawField(ui);
+    drawField(b);
     ImGui::Checkbox(tr("Hidden"), &b.showHidden);
     tooltip("Names that begin with a dot.");
     ImGui::SameLine();
@@ -184,7 +180,7 @@ void drawFooter(UiState& ui) {
     if (oneLine) ImGui::SameLine();
   }
   const int pressed = dialogButtons({yes, no});
-  if (pressed == 0) acceptChoice(ui);
+  if (pressed == 0) acceptChoice(b);
   if (pressed == 1) leaveStep(b);
 }
 
@@ -200,22 +196,21 @@ float footerHeight(const FileBrowser& b) {
 
 }  // namespace
 
-void drawFileBrowser(UiState& ui) {
-  FileBrowser& b = ui.browser;
+void drawFileBrowser(FileBrowser& b, const DialogKeys& typed, const Look& look) {
   const bool fieldWasEmpty = b.text.empty();
-  if (!beginDialog(ui, b.purpose.title, 760, 520)) return;
+  if (!beginDialog(look, b.purpose.title, 760, 520)) return;
   const float below = footerHeight(b);
   ImGui::BeginDisabled(!b.replace.empty());  // the question is about what is shown
-  if (const auto folder = drawPathRow(ui)) enterFolder(b, *folder);
-  if (placesAreBeside(ui)) {
-    if (const auto folder = drawPlaces(ui, below)) enterFolder(b, *folder);
+  if (const auto folder = drawPathRow(b, look)) enterFolder(b, *folder);
+  if (placesAreBeside(look)) {
+    if (const auto folder = drawPlaces(b, look, below)) enterFolder(b, *folder);
     ImGui::SameLine();
   }
   chooseShown(b);
-  const int rows = drawList(ui, {0, -below});
+  const int rows = drawList(b, {0, -below});
   ImGui::EndDisabled();
-  drawFooter(ui);
-  if (b.open) handleBrowserKeys(ui, fieldWasEmpty, rows);
+  drawFooter(b, look);
+  if (b.open) handleBrowserKeys(b, typed, fieldWasEmpty, rows);
   chooseShown(b);
   if (!b.open) ImGui::CloseCurrentPopup();
   endDialog();

@@ -6,8 +6,6 @@
 #include <imgui_internal.h>
 
 #include "base/language.h"
-#include "panels/actions.h"
-#include "panels/file_browser.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
@@ -21,28 +19,11 @@ float buttonWidth(const char* name) {
 
 }  // namespace
 
-bool isDialogOpen(const UiState& ui) {
-  return ui.notice || ui.browser.open || ui.unsaved || !ui.recoveries.empty();
-}
-
-void drawDialogs(Editor& editor, UiState& ui) {
-  if (ui.notice) {
-    drawNotice(ui);
-  } else if (ui.browser.open) {
-    drawFileBrowser(ui);
-  } else if (ui.unsaved) {
-    drawUnsavedDialog(editor, ui);
-  } else if (!ui.recoveries.empty()) {
-    drawRecoveryDialog(ui);
-  }
-  ui.dialogKeys.clear();
-}
-
-bool beginDialog(const UiState& ui, const char* title, float width, float height) {
+bool beginDialog(const Look& look, const char* title, float width, float height) {
   const std::string name = label(title);
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float s = static_cast<float>(ui.scale);
+  const float s = static_cast<float>(look.scale);
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(width * s, 0.97f * display.x), std::min(height * s, 0.97f * display.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * s);
@@ -56,7 +37,7 @@ bool beginDialog(const UiState& ui, const char* title, float width, float height
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy)) {
       ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     }
-    const FontScope strong(ui.fonts.strong);
+    const FontScope strong(look.fonts.strong);
     ImGui::TextUnformatted(tr(title));
   }
   return shown;
@@ -64,11 +45,6 @@ bool beginDialog(const UiState& ui, const char* title, float width, float height
 
 void endDialog() {
   ImGui::EndPopup();
-}
-
-bool dialogKey(const UiState& ui, int key) {
-  return std::any_of(ui.dialogKeys.begin(), ui.dialogKeys.end(),
-                     [&](const DialogKey& typed) { return typed.key == key; });
 }
 
 float dialogButtonsWidth(std::initializer_list<const char*> names) {
@@ -94,17 +70,6 @@ int dialogButtons(std::initializer_list<const char*> names, std::initializer_lis
     if (i == 0) ImGui::PopStyleColor();
   }
   return pressed;
-}
-
-void drawNotice(UiState& ui) {
-  if (!beginDialog(ui, ui.notice->title.c_str(), 460)) return;
-  paragraph(ui.notice->text);
-  ImGui::Dummy({0, 6 * static_cast<float>(ui.scale)});
-  const bool done = dialogButtons({"OK"}) == 0 || dialogKey(ui, keys::enter) ||
-                    dialogKey(ui, keys::padEnter) || dialogKey(ui, keys::escape);
-  if (done) ImGui::CloseCurrentPopup();
-  endDialog();
-  if (done) ui.notice.reset();
 }
 
 }  // namespace anamorph

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "exports/export_formats.h"
-#include "panels/file_browser.h"
+#include "panels/file_purpose.h"
 
 namespace anamorph {
 

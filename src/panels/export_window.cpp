@@ -1,5 +1,4 @@
-// Take it home: the sculpture for a printer, the sheet to set it up by, rays, reports and pictures. The
-// window asks; the export job makes the file from the settled level.
+#include "panels/export_window.h"
 
 #include <algorithm>
 #include <string>
@@ -13,7 +12,7 @@
 #include "panels/browser_places.h"
 #include "panels/export_entries.h"
 #include "panels/file_browser.h"
-#include "panels/panels.h"
+#include "panels/keys.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
@@ -105,70 +104,81 @@ void kindRows(ExportDialog& dialog) {
 }
 
 // The browser's choice: the file is written at once.
-void takeChoice(UiState& ui) {
-  ExportDialog& dialog = ui.exporting;
+void takeChoice(ExportDialog& dialog, FileBrowser& browser, UiRequests& requests) {
   const ExportEntry& entry = entryOf(dialog);
-  const auto path = awaitChosenFile(ui, entry.purpose, dialog.choosing);
+  const auto path = awaitChosenFile(browser, entry.purpose, dialog.choosing);
   if (!path) return;
   dialog.folder = path->parent_path();
   dialog.say("");
   if (!entry.format) {
     dialog.shot.path = *path;
-    ui.requests.shot = dialog.shot;
+    requests.shot = dialog.shot;
     return;
   }
   dialog.request.kind = entry.format->kind;
   dialog.request.path = *path;
-  ui.requests.startExport = true;
+  requests.startExport = true;
 }
 
-void drawButtons(const Editor& editor, UiState& ui) {
-  ExportDialog& dialog = ui.exporting;
+void drawButtons(ExportDialog& dialog, const std::filesystem::path& level, FileBrowser& browser,
+                 UiRequests& requests, const Look& look) {
   if (dialog.running) {
-    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-90 * static_cast<float>(ui.scale), 0});
+    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-90 * static_cast<float>(look.scale), 0});
     ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelExport = true;
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) requests.cancelExport = true;
     return;
   }
   const ExportEntry& entry = entryOf(dialog);
   if (entry.format && entry.format->has(ExportOption::printCheck) &&
       wideButton("Check for printing", "Closed, the right side out, no crossings, walls thick enough.")) {
-    ui.requests.checkPrint = true;
+    requests.checkPrint = true;
   }
   if (wideButton("Save as...", "The key Enter does the same.") || std::exchange(dialog.saveAsked, false)) {
     dialog.choosing = true;
-    browseFiles(ui, entry.purpose, proposedExport(ui, dialog.folder, editor.session.path(), entry.fileName));
+    browseFiles(browser, entry.purpose, proposedExport(browser, dialog.folder, level, entry.fileName));
   }
 }
 
-void drawOutcome(const UiState& ui) {
-  const ExportDialog& dialog = ui.exporting;
+void drawOutcome(const ExportDialog& dialog, const Look& look) {
   if (dialog.message.empty()) return;
   ImGui::Separator();
   paragraph(capitalised(dialog.message));
-  for (const std::string& line : dialog.lines) quietText(ui, capitalised(line).c_str());
+  for (const std::string& line : dialog.lines) quietText(look, capitalised(line).c_str());
   for (const auto& [name, value] : dialog.rows) {
-    quietText(ui, name.c_str());
+    quietText(look, name.c_str());
     ImGui::SameLine(0.3f * ImGui::GetWindowContentRegionMax().x);
-    quietText(ui, value.c_str());
+    quietText(look, value.c_str());
   }
 }
 
 }  // namespace
 
-void drawExportWindow(Editor& editor, UiState& ui) {
-  takeChoice(ui);
-  ExportDialog& dialog = ui.exporting;
+bool exportKey(ExportDialog& dialog, int key) {
+  if (dialog.running) return false;
+  if (key == keys::enter || key == keys::padEnter) {
+    dialog.saveAsked = true;
+  } else if (key == keys::left || key == keys::right) {
+    const int count = static_cast<int>(exportEntries().size());
+    dialog.kind = (dialog.kind + (key == keys::right ? 1 : count - 1)) % count;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void drawExportWindow(ExportDialog& dialog, const std::filesystem::path& level, FileBrowser& browser,
+                      UiRequests& requests, const Look& look) {
+  takeChoice(dialog, browser, requests);
   if (!dialog.open) return;
-  const float s = static_cast<float>(ui.scale);
-  if (beginToolWindow(ui, "Export", "###export", dialog.open, 460, 470)) {
+  const float s = static_cast<float>(look.scale);
+  if (beginToolWindow(look, "Export", "###export", dialog.open, 460, 470)) {
     ImGui::BeginDisabled(dialog.running);
     std::vector<const char*> names;
     for (const ExportEntry& entry : exportEntries()) names.push_back(entry.name);
     if (segmentedControl("kinds", dialog.kind, names, 3)) {
       dialog.say("");
     }
-    quietText(ui, entryOf(dialog).help);
+    quietText(look, entryOf(dialog).help);
     ImGui::Dummy({0, 4 * s});
     const auto before = std::pair(dialog.request.millimetresPerUnit, dialog.request.basePlate);
     ImGui::PushID(dialog.kind);
@@ -179,8 +189,8 @@ void drawExportWindow(Editor& editor, UiState& ui) {
     }
     ImGui::EndDisabled();
     ImGui::Dummy({0, 4 * s});
-    drawButtons(editor, ui);
-    drawOutcome(ui);
+    drawButtons(dialog, level, browser, requests, look);
+    drawOutcome(dialog, look);
   }
   ImGui::End();
 }

@@ -20,17 +20,17 @@ constexpr float degree = 3.14159265f / 180;
 // A sheet with x from 0 to 100, and y down from 0 to `height`.
 class Sheet {
  public:
-  Sheet(const UiState& ui, float height) : ui_(ui), list_(*ImGui::GetWindowDrawList()) {
-    const float width = std::min(ImGui::GetContentRegionAvail().x, 420 * static_cast<float>(ui.scale));
+  Sheet(const Look& look, float height) : look_(look), list_(*ImGui::GetWindowDrawList()) {
+    const float width = std::min(ImGui::GetContentRegionAvail().x, 420 * static_cast<float>(look.scale));
     unit_ = width / 100;
     origin_ = ImGui::GetCursorScreenPos();
     list_.AddRectFilled(origin_, {origin_.x + width, origin_.y + height * unit_},
-                        ImGui::GetColorU32(ImGuiCol_FrameBg, 0.55f), 4 * static_cast<float>(ui.scale));
+                        ImGui::GetColorU32(ImGuiCol_FrameBg, 0.55f), 4 * static_cast<float>(look.scale));
     ImGui::Dummy({width, height * unit_});
   }
 
   ImVec2 at(float x, float y) const { return {origin_.x + x * unit_, origin_.y + y * unit_}; }
-  float thick(float pixels) const { return pixels * static_cast<float>(ui_.scale); }
+  float thick(float pixels) const { return pixels * static_cast<float>(look_.scale); }
   ImU32 ink() const { return ImGui::GetColorU32(ImGuiCol_Text); }
   ImU32 quiet() const { return ImGui::GetColorU32(ImGuiCol_Text, 0.5f); }
 
@@ -73,7 +73,7 @@ class Sheet {
   }
   // Centred at the place.
   void letter(float x, float y, const char* text, ImU32 color = 0) const {
-    const FontScope strong(ui_.fonts.strong);
+    const FontScope strong(look_.fonts.strong);
     const ImVec2 size = ImGui::CalcTextSize(text), p = at(x, y);
     list_.AddText({p.x - size.x / 2, p.y - size.y / 2}, color != 0 ? color : ink(), text);
   }
@@ -92,15 +92,15 @@ class Sheet {
   }
 
  private:
-  const UiState& ui_;
+  const Look& look_;
   ImDrawList& list_;
   ImVec2 origin_;
   float unit_;
 };
 
 // Side view: lines of sight over a standing object to the floor.
-void drawPerspective(const UiState& ui) {
-  const Sheet sheet(ui, 50);
+void drawPerspective(const Look& look) {
+  const Sheet sheet(look, 50);
   constexpr float eyeX = 14, eyeY = 10, ground = 42;
   const auto onGround = [&](float x, float y) { return eyeX + (x - eyeX) * (ground - eyeY) / (y - eyeY); };
   constexpr float left = 40, right = 48, top = 26;
@@ -119,8 +119,8 @@ void drawPerspective(const UiState& ui) {
 }
 
 // A mirror seen from its edge: the construction of one vertex.
-void drawConstruction(const UiState& ui) {
-  const Sheet sheet(ui, 62);
+void drawConstruction(const Look& look) {
+  const Sheet sheet(look, 62);
   constexpr float qx = 52, qy = 32, eyeX = 16, eyeY = 52;
   const float dx = qx - eyeX, dy = qy - eyeY, k = 0.72f;
   const float px = qx + k * dx, py = qy + k * dy, sx = qx - k * dx, sy = qy + k * dy;
@@ -149,8 +149,8 @@ void drawConstruction(const UiState& ui) {
 }
 
 // From above: how the three mirrors turn parallel rays.
-void drawColumns(const UiState& ui) {
-  const Sheet sheet(ui, 52);
+void drawColumns(const Look& look) {
+  const Sheet sheet(look, 52);
   const auto bundle = [&](float x, float radius) {
     constexpr float top = 16;
     for (const float offset : {-4.0f, 0.0f, 4.0f}) {
@@ -175,8 +175,8 @@ void drawColumns(const UiState& ui) {
 }
 
 // A straight edge of the sculpture against the curve that it stands for.
-void drawEdges(const UiState& ui) {
-  const Sheet sheet(ui, 46);
+void drawEdges(const Look& look) {
+  const Sheet sheet(look, 46);
   const auto curve = [&](float x0, int parts) {
     const auto point = [&](float t) {
       const float angle = (200 + 140 * t) * degree;
@@ -202,8 +202,8 @@ void drawEdges(const UiState& ui) {
 }
 
 // The sculpture in the way of the eye, and the eye raised above it.
-void drawOcclusion(const UiState& ui) {
-  const Sheet sheet(ui, 48);
+void drawOcclusion(const Look& look) {
+  const Sheet sheet(look, 48);
   const auto scene = [&](float x, float eyeY, bool free) {
     constexpr float ground = 42;
     sheet.line(x + 38, 8, x + 38, ground, mirror, 4);
@@ -227,12 +227,12 @@ void drawOcclusion(const UiState& ui) {
 
 }  // namespace
 
-void drawFigure(const std::string& name, const UiState& ui) {
-  if (name == "perspective") drawPerspective(ui);
-  if (name == "construction") drawConstruction(ui);
-  if (name == "columns") drawColumns(ui);
-  if (name == "edges") drawEdges(ui);
-  if (name == "occlusion") drawOcclusion(ui);
+void drawFigure(const std::string& name, const Look& look) {
+  if (name == "perspective") drawPerspective(look);
+  if (name == "construction") drawConstruction(look);
+  if (name == "columns") drawColumns(look);
+  if (name == "edges") drawEdges(look);
+  if (name == "occlusion") drawOcclusion(look);
 }
 
 }  // namespace anamorph

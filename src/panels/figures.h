@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "panels/ui_state.h"
+#include "panels/look.h"
 
 namespace anamorph {
 
 /// Draws a figure (stepFigures in level/lesson.h) as wide as the column; nothing for an unknown name.
-void drawFigure(const std::string& name, const UiState& ui);
+void drawFigure(const std::string& name, const Look& look);
 
 }  // namespace anamorph

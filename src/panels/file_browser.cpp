@@ -1,14 +1,11 @@
 #include "panels/file_browser.h"
 
 #include <algorithm>
-#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "base/language.h"
-#include "exports/export_formats.h"
-#include "panels/actions.h"
 #include "panels/browser_places.h"
 #include "panels/browser_steps.h"
 
@@ -36,21 +33,19 @@ const FolderEntry* selectedEntry(const FileBrowser& b) {
   return &b.listing.entries[static_cast<std::size_t>(b.shown[static_cast<std::size_t>(b.selected)])];
 }
 
-void choose(UiState& ui, const fs::path& path) {
-  FileBrowser& b = ui.browser;
-  rememberFolder(ui, path.parent_path());
+void choose(FileBrowser& b, const fs::path& path) {
+  rememberFolder(b, path.parent_path());
   b.chosen = {b.purpose, path};
   b.open = false;
 }
 
-void chooseToOpen(UiState& ui, const fs::path& path) {
+void chooseToOpen(FileBrowser& b, const fs::path& path) {
   std::error_code ignored;
-  if (fs::exists(path, ignored)) return choose(ui, path);
-  ui.browser.problem = fmt::format(fmt::runtime(tr("{}: there is no such file")), path.string());
+  if (fs::exists(path, ignored)) return choose(b, path);
+  b.problem = fmt::format(fmt::runtime(tr("{}: there is no such file")), path.string());
 }
 
-void chooseToSave(UiState& ui, fs::path path) {
-  FileBrowser& b = ui.browser;
+void chooseToSave(FileBrowser& b, fs::path path) {
   if (!hasEnding(b.purpose, path.filename().string())) path += b.ending;
   if (!isFolder(path.parent_path())) {
     b.problem = fmt::format(fmt::runtime(tr("{}: there is no such folder")), path.parent_path().string());
@@ -60,7 +55,7 @@ void chooseToSave(UiState& ui, fs::path path) {
   if (fs::exists(path, ignored)) {
     b.replace = path;
   } else {
-    choose(ui, path);
+    choose(b, path);
   }
 }
 
@@ -83,20 +78,6 @@ void makeFolder(FileBrowser& b) {
 }
 
 }  // namespace
-
-const FilePurpose FilePurpose::openLevel{"Open a level", "Open", false, {".json"}};
-const FilePurpose FilePurpose::saveLevel{"Save the level", "Save", true, {".json"}};
-const FilePurpose FilePurpose::openMesh{"A mesh for the original", "Open", false,
-                                        formatOf(ExportKind::sculpture).endings};
-const FilePurpose FilePurpose::saveImage = toSave(formatOf(ExportKind::picture));
-
-FilePurpose FilePurpose::toSave(const ExportFormat& format) {
-  return {format.title, "Save", true, format.endings};
-}
-
-bool FilePurpose::operator==(const FilePurpose& other) const {
-  return std::string_view(title) == other.title;
-}
 
 bool isPath(const std::string& text) {
   return text.find('/') != std::string::npos || text.starts_with("~");
@@ -177,10 +158,9 @@ void enterTypedFolder(FileBrowser& b) {
 }
 
 // Enter, or the button.
-void acceptChoice(UiState& ui) {
-  FileBrowser& b = ui.browser;
+void acceptChoice(FileBrowser& b) {
   b.problem.clear();
-  if (!b.replace.empty()) return choose(ui, b.replace);
+  if (!b.replace.empty()) return choose(b, b.replace);
   if (b.namingFolder) return makeFolder(b);
   const bool saves = b.purpose.saves;
   if (isPath(b.text)) {
@@ -189,18 +169,18 @@ void acceptChoice(UiState& ui) {
       setBrowserText(b, "");
       return enterFolder(b, path);
     }
-    return saves ? chooseToSave(ui, path) : chooseToOpen(ui, path);
+    return saves ? chooseToSave(b, path) : chooseToOpen(b, path);
   }
   const FolderEntry* entry = selectedEntry(b);
   if (entry && entry->isFolder) return enterFolder(b, b.folder / entry->name);
   if (saves && b.text.empty()) {
     b.problem = tr("Type a name for the file.");
   } else if (saves) {
-    chooseToSave(ui, b.folder / b.text);
+    chooseToSave(b, b.folder / b.text);
   } else if (entry) {
-    choose(ui, b.folder / entry->name);
+    choose(b, b.folder / entry->name);
   } else if (!b.text.empty()) {
-    chooseToOpen(ui, b.folder / b.text);
+    chooseToOpen(b, b.folder / b.text);
   }
 }
 
@@ -225,12 +205,11 @@ void selectRow(FileBrowser& b, int row) {
   if (entry && !entry->isFolder && b.purpose.saves) setBrowserText(b, entry->name);
 }
 
-void handleBrowserKeys(UiState& ui, bool fieldWasEmpty, int rowsInSight) {
-  FileBrowser& b = ui.browser;
-  for (const auto& [key, repeated] : ui.dialogKeys) {
+void handleBrowserKeys(FileBrowser& b, const DialogKeys& typed, bool fieldWasEmpty, int rowsInSight) {
+  for (const auto& [key, repeated] : typed) {
     if (!b.open) return;
     if (key == keys::enter || key == keys::padEnter) {
-      if (!repeated) acceptChoice(ui);
+      if (!repeated) acceptChoice(b);
     } else if (key == keys::escape) {
       leaveStep(b);
     } else if (b.replace.empty() && !b.namingFolder) {
@@ -243,20 +222,20 @@ void handleBrowserKeys(UiState& ui, bool fieldWasEmpty, int rowsInSight) {
   }
 }
 
-void browseFiles(UiState& ui, const FilePurpose& purpose, const fs::path& start) {
-  FileBrowser& b = ui.browser;
+void browseFiles(FileBrowser& b, const FilePurpose& purpose, const fs::path& start) {
   FileBrowser fresh;
   fresh.open = true;
   fresh.purpose = purpose;
   fresh.root = b.root;
   fresh.fieldNumber = b.fieldNumber;
+  fresh.recentFolders = std::move(b.recentFolders);
   b = std::move(fresh);
   const bool named = !start.empty() && !isFolder(start) && start.has_filename();
   const std::string name = named ? start.filename().string() : "";
   b.ending =
       hasEnding(purpose, name) ? fs::path(name).extension().string() : std::string(purpose.endings.front());
   std::vector<fs::path> candidates{named ? (start.has_parent_path() ? start.parent_path() : ".") : start};
-  candidates.insert(candidates.end(), ui.recentFolders.begin(), ui.recentFolders.end());
+  candidates.insert(candidates.end(), b.recentFolders.begin(), b.recentFolders.end());
   for (const fs::path& folder : {homeFolder(), fs::path("/")}) candidates.push_back(folder);
   for (const fs::path& folder : candidates) {
     if (b.folder.empty() && isFolder(folder)) enterFolder(b, folder);
@@ -266,18 +245,18 @@ void browseFiles(UiState& ui, const FilePurpose& purpose, const fs::path& start)
   if (named) select(b, name);
 }
 
-std::optional<fs::path> takeChosenFile(UiState& ui, const FilePurpose& purpose) {
-  auto& chosen = ui.browser.chosen;
+std::optional<fs::path> takeChosenFile(FileBrowser& b, const FilePurpose& purpose) {
+  auto& chosen = b.chosen;
   if (!chosen || chosen->first != purpose) return std::nullopt;
   fs::path path = std::move(chosen->second);
   chosen.reset();
   return path;
 }
 
-std::optional<fs::path> awaitChosenFile(UiState& ui, const FilePurpose& purpose, bool& waiting) {
+std::optional<fs::path> awaitChosenFile(FileBrowser& b, const FilePurpose& purpose, bool& waiting) {
   if (!waiting) return std::nullopt;
-  auto path = takeChosenFile(ui, purpose);
-  waiting = !path && ui.browser.open;
+  auto path = takeChosenFile(b, purpose);
+  waiting = !path && b.open;
   return path;
 }
 

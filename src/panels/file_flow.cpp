@@ -15,7 +15,8 @@
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "panels/browser_places.h"
-#include "panels/view_panel.h"
+#include "panels/file_browser.h"
+#include "panels/view_mouse.h"
 #include "panels/widgets.h"
 #include "pipeline/original.h"
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 // A drag that goes on, or a number that is typed, becomes a step of its own first.
 void finishEdits(Editor& editor, UiState& ui) {
-  endViewDrag(editor, ui, true);
+  endViewDrag(editor, ui.mouse, true);
   letGoOfWidgets();
   editor.session.finishChange();
 }
@@ -53,7 +54,7 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
   const fs::path name = path.empty() ? fs::path(fileNameOf(editor.session.level().text->title) + ".json")
                                      : fs::path(path.stem().string() + "-copy.json");
   if (own) return path.parent_path() / name;
-  return usualFolder(ui) / name;
+  return usualFolder(ui.browser) / name;
 }
 
 void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
@@ -68,9 +69,9 @@ void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
 }
 
 void serveBrowser(Editor& editor, UiState& ui) {
-  if (const auto path = takeChosenFile(ui, FilePurpose::openLevel)) ui.requests.open = *path;
-  if (const auto path = takeChosenFile(ui, FilePurpose::openMesh)) importOriginal(editor, *path);
-  if (const auto path = takeChosenFile(ui, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
 }
 
 std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
@@ -99,7 +100,7 @@ void grant(const UnsavedQuestion& wish, UiRequests& requests) {
 void chooseLevel(Editor& editor, UiState& ui) {
   finishEdits(editor, ui);
   const fs::path& path = editor.session.path();
-  browseFiles(ui, FilePurpose::openLevel, editor.session.isInstalled() ? fs::path() : path);
+  browseFiles(ui.browser, FilePurpose::openLevel, editor.session.isInstalled() ? fs::path() : path);
 }
 
 void saveCurrent(Editor& editor, UiState& ui) {
@@ -108,7 +109,7 @@ void saveCurrent(Editor& editor, UiState& ui) {
     return saveCurrentAs(editor, ui);
   finishEdits(editor, ui);
   if (!editor.session.isFileChanged()) return saveTo(path, editor, ui);
-  browseFiles(ui, FilePurpose::saveLevel, path);
+  browseFiles(ui.browser, FilePurpose::saveLevel, path);
   ui.browser.problem = fmt::format(
       fmt::runtime(
           tr("{} has been changed by another program since it was opened or saved here. Replace it, or "
@@ -118,14 +119,14 @@ void saveCurrent(Editor& editor, UiState& ui) {
 
 void saveCurrentAs(Editor& editor, UiState& ui) {
   finishEdits(editor, ui);
-  browseFiles(ui, FilePurpose::saveLevel, proposedFile(editor, ui));
+  browseFiles(ui.browser, FilePurpose::saveLevel, proposedFile(editor, ui));
 }
 
 void chooseOriginal(Editor& editor, UiState& ui) {
   finishEdits(editor, ui);
   const Level& level = editor.session.level();
   const auto* file = std::get_if<FileShape>(&level.original.shape);
-  browseFiles(ui, FilePurpose::openMesh, file ? modelPath(*file, editor.session.path()) : fs::path());
+  browseFiles(ui.browser, FilePurpose::openMesh, file ? modelPath(*file, editor.session.path()) : fs::path());
 }
 
 void importOriginal(Editor& editor, const fs::path& mesh) {
@@ -201,13 +202,13 @@ void rememberLevel(UiState& ui, const fs::path& path) {
   levels.erase(std::remove(levels.begin(), levels.end(), whole), levels.end());
   levels.insert(levels.begin(), whole);
   if (levels.size() > maxRecentLevels) levels.resize(maxRecentLevels);
-  rememberFolder(ui, whole.parent_path());
+  rememberFolder(ui.browser, whole.parent_path());
 }
 
 void settleRequests(Editor& editor, UiState& ui) {
   serveBrowser(editor, ui);
   if (auto wish = takeWish(ui.requests)) {
-    endViewDrag(editor, ui, false);  // it would go on in the next level
+    endViewDrag(editor, ui.mouse, false);  // it would go on in the next level
     editor.session.cancelChange();
     letGoOfWidgets();
     std::error_code ignored;

@@ -1,5 +1,7 @@
 // F1: mouse, keys (from the same table that the keyboard uses) and the words of the method.
 
+#include <string>
+
 #include <imgui.h>
 
 #include "base/language.h"
@@ -48,18 +50,22 @@ void mouseRows(const UiState& ui) {
   ImGui::EndTable();
 }
 
+// "Ctrl+Y, Ctrl+Shift+Z"; a key of the number pad has its digit's name.
+std::string keyNames(const ActionRow& row, bool vrtKeys) {
+  std::string names;
+  for (const Key& key : keysOf(row, vrtKeys)) {
+    const std::string name = keyName(key);
+    if (name != names) names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
 void keyRows(const UiState& ui) {
   if (!section(ui, "Keys") || !beginRows(ui, "keys")) return;
-  for (const ActionText& text : actionTexts()) {
-    std::string key;
-    for (const Shortcut& shortcut : shortcuts(ui.preferences.vrtKeys)) {
-      // A key of the number pad has its digit's name.
-      if (shortcut.action != text.action || key == shortcut.keyName) continue;
-      key += (key.empty() ? "" : ", ") + std::string(shortcut.keyName);
-    }
-    std::string what = tr(text.name);
-    if (*text.help != 0) what += std::string(": ") + tr(text.help);
-    plainRow(key.c_str(), what.c_str());
+  for (const ActionRow& row : actionTable()) {
+    std::string what = tr(row.name);
+    if (*row.help != 0) what += std::string(": ") + tr(row.help);
+    plainRow(keyNames(row, ui.preferences.vrtKeys).c_str(), what.c_str());
   }
   ImGui::EndTable();
 }

@@ -9,21 +9,25 @@
 #pragma once
 
 #include <string>
-
-#include "panels/ui_state.h"
+#include <vector>
 
 namespace anamorph {
 
-/// `direction`: 1 or -1.
-void moveKeyFocus(UiState& ui, int direction);
-void leaveKeyFocus(UiState& ui);
+struct KeyFocus {
+  std::string window;    ///< that has the keyboard, as Dear ImGui calls it; empty: the 3D view
+  bool entered = false;  ///< it is to get it in this frame
+};
 
-/// Whether this key (panels/actions.h, keys) is the panel's now and no shortcut: those that move and type,
-/// while a panel has the keyboard.
-bool isForPanel(const UiState& ui, int key, int modifiers);
+/// To the next (`direction` 1) or last (-1) of the windows that can be reached now.
+void moveKeyFocus(KeyFocus& focus, const std::vector<std::string>& reachable, int direction);
+void leaveKeyFocus(KeyFocus& focus);
+
+/// Whether this key (panels/keys.h) is the panel's now and no shortcut: those that move and type, while a
+/// panel has the keyboard.
+bool isForPanel(const KeyFocus& focus, int key, int modifiers);
 
 /// Once a frame, after the layout is known and before the panels are drawn: gives the keyboard to the panel that is
-/// to have it, and to its first control.
-void updateKeyFocus(UiState& ui);
+/// to have it, and to its first control. `rests`: a dialog has keys of its own, and gives them back when it closes.
+void updateKeyFocus(KeyFocus& focus, const std::vector<std::string>& reachable, bool rests);
 
 }  // namespace anamorph

@@ -5,6 +5,7 @@
 
 #include "base/language.h"
 #include "panels/actions.h"
+#include "panels/lesson_scroll.h"
 #include "panels/lesson_text.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -31,42 +32,34 @@ void drawHead(Editor& editor, UiState& ui) {
   quietText(ui, points.c_str());
 }
 
-// The way on is the most visible button when there is nothing left to do here.
-bool button(const char* name, const char* help, float width, bool enabled, bool strong) {
+// Does an action, under a name of its own. The way on is the most visible button when there is nothing left to do here.
+void button(Action action, const char* name, const char* help, float width, bool strong, Editor& editor,
+            UiState& ui) {
   if (strong) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-  ImGui::BeginDisabled(!enabled);
+  ImGui::BeginDisabled(!isEnabled(action, editor, ui));
   const bool pressed = fittedButton(name, width);
   ImGui::EndDisabled();
   if (strong) ImGui::PopStyleColor();
   tooltip(help);
-  return pressed;
+  if (pressed) perform(action, editor, ui);
 }
 
 void drawButtons(Editor& editor, UiState& ui) {
   const LessonRun& run = editor.lesson;
   const bool last = run.step + 1 == run.lesson.steps.size(), reads = run.open().done.empty();
+  const bool readLast = last && reads && !run.done, onward = run.done || reads, done = run.done;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  if (button("Show me", "Points at the control, and makes the move of this step.", half, canShow(run),
-             false)) {
-    showStep(editor, ui);
-  }
+  button(Action::showStep, "Show me", "Points at the control, and makes the move of this step.", half, false,
+         editor, ui);
   ImGui::SameLine();
   const char* reset = ImGui::CalcTextSize(tr("Reset the level")).x > half ? "Reset" : "Reset the level";
-  if (button(reset, "As it was opened. Can be undone.", half, editor.session.modified(), false)) {
-    perform(Action::resetLevel, editor, ui);
-  }
-  if (button("Back", "The step before.", half, run.step > 0, false))
-    perform(Action::previousStep, editor, ui);
+  button(Action::resetLevel, reset, "As it was opened. Can be undone.", half, false, editor, ui);
+  button(Action::previousStep, "Back", "The step before.", half, false, editor, ui);
   ImGui::SameLine();
-  const bool readLast = last && reads && !run.done;
-  if (last && !readLast) {
-    const bool more = hasNextLevel(editor, ui);
-    if (button("Next level", "", half, more, run.done)) perform(Action::nextLevel, editor, ui);
-    return;
-  }
-  const char* name = readLast ? "Done" : run.done || reads ? "Next" : "Skip";
-  if (button(name, "The next step.", half, true, run.done || reads)) perform(Action::nextStep, editor, ui);
+  if (last && !readLast) return button(Action::nextLevel, "Next level", "", half, done, editor, ui);
+  const char* name = readLast ? "Done" : onward ? "Next" : "Skip";
+  button(Action::nextStep, name, "The next step.", half, onward, editor, ui);
 }
 
 void drawBadge(const Editor& editor, const UiState& ui) {
@@ -91,24 +84,11 @@ void drawLesson(Editor& editor, UiState& ui) {
   const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
   ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
                     ImGuiWindowFlags_NavFlattened);
-  constexpr int layoutFrames = 3;  // until the height of what has been added is known
-  const StepOfLesson step = openStepOf(editor.lesson);
-  if (ui.scrolledStep != step) {
-    ImGui::SetScrollY(0);
-    ui.noticeFrames = 0;
-  } else if (editor.lesson.done && !ui.wasDone) {
-    ui.noticeFrames = layoutFrames;
-  }
-  ui.scrolledStep = step;
-  ui.wasDone = editor.lesson.done;
+  scrollToStep(ui.lessonScroll, editor.lesson);
   title(ui, editor.lesson.open().title);
   drawStepText(editor.lesson, ui);
   drawBadge(editor, ui);
-  // What there is to notice must not appear below the edge.
-  if (ui.noticeFrames > 0) {
-    ImGui::SetScrollHereY(1);
-    --ui.noticeFrames;
-  }
+  scrollToNotice(ui.lessonScroll);  // which must not appear below the edge
   ImGui::EndChild();
   drawButtons(editor, ui);
 }
@@ -119,7 +99,8 @@ void drawDescription(Editor& editor, UiState& ui) {
   paragraph(tr(level.text->description));
   if (level.text->title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
-  if (wideButton("Reset the level", "As it was opened. Can be undone.", editor.session.modified())) {
+  if (wideButton("Reset the level", "As it was opened. Can be undone.",
+                 isEnabled(Action::resetLevel, editor, ui))) {
     perform(Action::resetLevel, editor, ui);
   }
 }

@@ -8,18 +8,17 @@
 #include "base/language.h"
 #include "edit/lesson_run.h"
 #include "panels/figures.h"
-#include "panels/panels.h"
+#include "panels/highlight.h"
+#include "panels/property_tabs.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
 
-constexpr double highlightSeconds = 6;
-
 // Text beside a bar of some colour.
-void barred(const std::string& text, const ImVec4& color, const UiState& ui) {
-  const float s = static_cast<float>(ui.scale), inset = 11 * s;
+void barred(const std::string& text, const ImVec4& color, const Look& look) {
+  const float s = static_cast<float>(look.scale), inset = 11 * s;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Indent(inset);
   wrappedText(text);
@@ -37,26 +36,26 @@ void wrappedText(const std::string& english) {
   paragraph(text);
 }
 
-void drawStepText(const LessonRun& run, const UiState& ui) {
+void drawStepText(const LessonRun& run, const Look& look) {
   const LessonStep& step = run.open();
-  const Theme theme = ui.preferences.theme;
+  const Theme theme = look.theme;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   wrappedText(step.why);
   if (!step.figure.empty()) {
     ImGui::Dummy({0, gap / 2});
-    drawFigure(step.figure, ui);
+    drawFigure(step.figure, look);
   }
   ImGui::Dummy({0, gap / 2});
-  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), ui);
+  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), look);
   if (run.done && !step.notice.empty()) {
     ImGui::Dummy({0, gap / 2});
-    barred(step.notice, ink::good(theme), ui);
+    barred(step.notice, ink::good(theme), look);
   }
 }
 
-void drawStepDots(Editor& editor, const UiState& ui) {
+void drawStepDots(Editor& editor, const Look& look) {
   const LessonRun& run = editor.lesson;
-  const float s = static_cast<float>(ui.scale);
+  const float s = static_cast<float>(look.scale);
   const auto count = static_cast<float>(run.lesson.steps.size());
   const float room = ImGui::GetContentRegionAvail().x, cell = std::min(22 * s, room / std::max(1.0f, count));
   const float height = 20 * s;
@@ -71,16 +70,14 @@ void drawStepDots(Editor& editor, const UiState& ui) {
     if (ImGui::InvisibleButton("dot", {cell, height})) wanted = i;
     const ImVec2 middle{p.x + cell / 2, p.y + height / 2};
     const float r = (step.optional ? 3.4f : 5) * s;
-    const ImU32 color = ImGui::ColorConvertFloat4ToU32(done ? ink::good(ui.preferences.theme)
-                                                            : ink::quiet(ui.preferences.theme));
+    const ImU32 color = ImGui::ColorConvertFloat4ToU32(done ? ink::good(look.theme) : ink::quiet(look.theme));
     if (done) {
       list->AddCircleFilled(middle, r, color);
     } else {
       list->AddCircle(middle, r, color, 0, 1.6f * s);
     }
     if (open) {
-      list->AddCircle(middle, 8 * s, ImGui::ColorConvertFloat4ToU32(ink::accent(ui.preferences.theme)), 0,
-                      2 * s);
+      list->AddCircle(middle, 8 * s, ImGui::ColorConvertFloat4ToU32(ink::accent(look.theme)), 0, 2 * s);
     }
     tooltip(step.optional ? fmt::format("{} ({})", tr(step.title), tr("optional")).c_str()
                           : step.title.c_str());
@@ -94,27 +91,19 @@ std::string stepCount(const LessonRun& run) {
 }
 
 bool canShow(const LessonRun& run) {
+  if (run.empty()) return false;
   const StepShow& show = run.open().show;
-  return show.play || !show.widget.empty();
+  return show.play || !show.widget.empty() || !show.tab.empty();
 }
 
 void showStep(Editor& editor, UiState& ui) {
   if (editor.lesson.empty()) return;
   const StepShow& show = editor.lesson.open().show;
   const auto tab = std::find(stepTabs.begin(), stepTabs.end(), show.tab);
-  if (tab != stepTabs.end()) openTab(editor, ui, static_cast<PropertyTab>(tab - stepTabs.begin()));
-  pointAt("");  // also what was pointed at just now is scrolled to
-  ui.highlight = show.widget;
-  ui.highlightStep = openStepOf(editor.lesson);
-  ui.highlightSeconds = show.widget.empty() ? 0 : highlightSeconds;
+  if (tab != stepTabs.end())
+    openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab - stepTabs.begin()));
+  startHighlight(ui.highlight, show.widget, editor.lesson);
   playStep(editor);
-}
-
-void updateHighlight(const Editor& editor, UiState& ui, double seconds) {
-  ui.highlightSeconds = std::max(0.0, ui.highlightSeconds - seconds);
-  if (ui.highlightStep != openStepOf(editor.lesson)) ui.highlightSeconds = 0;
-  if (ui.highlightSeconds == 0) ui.highlight.clear();
-  pointAt(ui.highlight);
 }
 
 }  // namespace anamorph

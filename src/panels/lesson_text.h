@@ -10,10 +10,10 @@ namespace anamorph {
 void wrappedText(const std::string& english);
 
 /// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
-void drawStepText(const LessonRun& run, const UiState& ui);
+void drawStepText(const LessonRun& run, const Look& look);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
-void drawStepDots(Editor& editor, const UiState& ui);
+void drawStepDots(Editor& editor, const Look& look);
 
 /// "Step 2 of 6"
 std::string stepCount(const LessonRun& run);
@@ -23,8 +23,5 @@ void showStep(Editor& editor, UiState& ui);
 
 /// Whether the open step has something to show.
 bool canShow(const LessonRun& run);
-
-/// Nothing, or the open step's control while it is pointed at; to be called once a frame.
-void updateHighlight(const Editor& editor, UiState& ui, double seconds);
 
 }  // namespace anamorph

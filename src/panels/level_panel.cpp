@@ -34,8 +34,7 @@ void drawProgress(const LevelEntry& entry, const Editor& editor, const UiState& 
   const std::string text = fmt::format("{}/{}", score.done, score.steps);
   const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
   ImGui::GetWindowDrawList()->AddText({right - extent.x, middle - extent.y / 2},
-                                      ImGui::ColorConvertFloat4ToU32(ink::quiet(ui.preferences.theme)),
-                                      text.c_str());
+                                      ImGui::ColorConvertFloat4ToU32(ink::quiet(ui.theme)), text.c_str());
 }
 
 void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
@@ -52,8 +51,7 @@ void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   drawThumbnail(entry, ui, low, high);
   drawProgress(entry, editor, ui, right, p.y + height / 2);
   const std::string title = entry.title.empty() ? entry.name : tr(entry.title);
-  const ImVec4 color =
-      entry.problem.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.preferences.theme);
+  const ImVec4 color = entry.problem.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.theme);
   ImGui::SetCursorScreenPos({high.x + gap, p.y + (height - ImGui::GetTextLineHeight()) / 2});
   {
     const FontScope strong(open ? ui.fonts.strong : nullptr);

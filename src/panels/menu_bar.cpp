@@ -1,6 +1,9 @@
 // The menu bar, with the match score at its right end.
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,13 +19,16 @@
 namespace anamorph {
 namespace {
 
-void item(Action action, Editor& editor, UiState& ui, bool enabled = true, bool checked = false) {
-  for (const ActionText& text : actionTexts()) {
-    if (text.action != action) continue;
-    const std::string key = keyNameOf(action, ui.preferences.vrtKeys);
-    if (ImGui::MenuItem(tr(text.name), key.c_str(), checked, enabled)) perform(action, editor, ui);
-    tooltip(text.help);
-  }
+void item(Action action, Editor& editor, UiState& ui) {
+  const ActionRow& row = rowOf(action);
+  const std::string key = keyName(keysOf(row, ui.preferences.vrtKeys).front());
+  if (ImGui::MenuItem(tr(row.name), key.c_str(), row.ticked(editor, ui), row.enabled(editor, ui)))
+    perform(action, editor, ui);
+  tooltip(row.help);
+}
+
+void items(std::initializer_list<Action> actions, Editor& editor, UiState& ui) {
+  for (const Action action : actions) item(action, editor, ui);
 }
 
 void recentMenu(UiState& ui) {
@@ -40,89 +46,68 @@ void recentMenu(UiState& ui) {
 }
 
 void fileMenu(Editor& editor, UiState& ui) {
-  item(Action::newLevel, editor, ui);
-  item(Action::open, editor, ui);
+  items({Action::newLevel, Action::open}, editor, ui);
   recentMenu(ui);
-  item(Action::reload, editor, ui, !editor.session.path().empty());
+  item(Action::reload, editor, ui);
   ImGui::Separator();
-  item(Action::save, editor, ui);
-  item(Action::saveAs, editor, ui);
+  items({Action::save, Action::saveAs}, editor, ui);
   ImGui::Separator();
-  item(Action::exportFiles, editor, ui);
-  item(Action::renderImage, editor, ui);
-  item(Action::screenshot, editor, ui);
+  items({Action::exportFiles, Action::renderImage, Action::screenshot}, editor, ui);
   ImGui::Separator();
   item(Action::quit, editor, ui);
 }
 
 void editMenu(Editor& editor, UiState& ui) {
-  item(Action::undo, editor, ui, editor.session.canUndo());
-  item(Action::redo, editor, ui, editor.session.canRedo());
-  item(Action::resetLevel, editor, ui, editor.session.modified());
-  item(Action::copyLevel, editor, ui);
-  item(Action::pasteLevel, editor, ui);
+  items({Action::undo, Action::redo, Action::resetLevel, Action::copyLevel, Action::pasteLevel}, editor, ui);
   ImGui::Separator();
-  item(Action::moveMode, editor, ui, true, editor.gizmoMode == GizmoMode::move);
-  item(Action::rotateMode, editor, ui, true, editor.gizmoMode == GizmoMode::rotate);
-  item(Action::scaleMode, editor, ui, true, editor.gizmoMode == GizmoMode::scale);
-  item(Action::toggleLocal, editor, ui, true, editor.gizmoLocal);
+  items({Action::moveMode, Action::rotateMode, Action::scaleMode, Action::toggleLocal}, editor, ui);
 }
 
 void viewMenu(Editor& editor, UiState& ui) {
-  item(Action::lookThrough, editor, ui, true, editor.lookingThrough);
+  item(Action::lookThrough, editor, ui);
   ImGui::Separator();
-  item(Action::frameSelection, editor, ui);
-  item(Action::frameAll, editor, ui);
-  item(Action::viewFront, editor, ui);
-  item(Action::viewRight, editor, ui);
-  item(Action::viewTop, editor, ui);
-  item(Action::toggleParallel, editor, ui, true, editor.pose.orthographic);
+  items({Action::frameSelection, Action::frameAll, Action::viewFront, Action::viewRight, Action::viewTop,
+         Action::toggleParallel},
+        editor, ui);
   ImGui::Separator();
-  item(Action::pauseRays, editor, ui, editor.rays.animate, editor.animationPaused);
-  item(Action::rayStepForward, editor, ui, editor.rays.show);
-  item(Action::rayStepBack, editor, ui, editor.rays.show);
-  item(Action::hidePanels, editor, ui, true, ui.panelsHidden);
-  item(Action::nextPanel, editor, ui, !ui.panelsHidden);
-  item(Action::fullscreen, editor, ui);
-  item(Action::present, editor, ui, true, ui.presenting);
+  items({Action::pauseRays, Action::rayStepForward, Action::rayStepBack, Action::hidePanels,
+         Action::nextPanel, Action::fullscreen, Action::present},
+        editor, ui);
+}
+
+void levelMenu(Editor& editor, UiState& ui) {
+  for (const LevelEntry& entry : ui.levels) {
+    const char* title = entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str());
+    if (ImGui::MenuItem(title, nullptr, isOpen(editor, entry))) ui.requests.open = entry.path;
+  }
+  ImGui::Separator();
+  items({Action::previousLevel, Action::nextLevel}, editor, ui);
+  ImGui::Separator();
+  items({Action::previousStep, Action::nextStep, Action::showStep, Action::progress}, editor, ui);
+}
+
+void helpMenu(Editor& editor, UiState& ui) {
+  items({Action::help, Action::tour}, editor, ui);
 }
 
 void menus(Editor& editor, UiState& ui) {
-  if (ImGui::BeginMenu(tr("File"))) {
-    fileMenu(editor, ui);
+  struct Menu {
+    const char* name;
+    void (*draw)(Editor&, UiState&);
+  };
+  constexpr Menu all[] = {
+      {"File", fileMenu}, {"Edit", editMenu}, {"View", viewMenu}, {"Level", levelMenu}, {"Help", helpMenu}};
+  for (const Menu& menu : all) {
+    if (!ImGui::BeginMenu(tr(menu.name))) continue;
+    menu.draw(editor, ui);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu(tr("Edit"))) {
-    editMenu(editor, ui);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu(tr("View"))) {
-    viewMenu(editor, ui);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu(tr("Level"))) {
-    for (const LevelEntry& entry : ui.levels) {
-      const bool open = isOpen(editor, entry);
-      if (ImGui::MenuItem(entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str()), nullptr,
-                          open)) {
-        ui.requests.open = entry.path;
-      }
-    }
-    ImGui::Separator();
-    item(Action::previousLevel, editor, ui);
-    item(Action::nextLevel, editor, ui);
-    ImGui::Separator();
-    item(Action::previousStep, editor, ui, !editor.lesson.empty());
-    item(Action::nextStep, editor, ui, !editor.lesson.empty());
-    item(Action::showStep, editor, ui, !editor.lesson.empty());
-    item(Action::progress, editor, ui, true, ui.progressOpen);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu(tr("Help"))) {
-    item(Action::help, editor, ui);
-    item(Action::tour, editor, ui);
-    ImGui::EndMenu();
-  }
+}
+
+void smallButton(Action action, Editor& editor, UiState& ui) {
+  ImGui::BeginDisabled(!isEnabled(action, editor, ui));
+  if (ImGui::SmallButton(tr(rowOf(action).name))) perform(action, editor, ui);
+  ImGui::EndDisabled();
 }
 
 void rightEnd(Editor& editor, UiState& ui, const MatchScore& score) {
@@ -134,13 +119,9 @@ void rightEnd(Editor& editor, UiState& ui, const MatchScore& score) {
   const float x = ImGui::GetWindowWidth() - width - style.WindowPadding.x;
   if (x < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(x);
-  ImGui::BeginDisabled(!editor.session.canUndo());
-  if (ImGui::SmallButton(tr("Undo"))) perform(Action::undo, editor, ui);
-  ImGui::EndDisabled();
-  ImGui::BeginDisabled(!editor.session.canRedo());
-  if (ImGui::SmallButton(tr("Redo"))) perform(Action::redo, editor, ui);
-  ImGui::EndDisabled();
-  ImGui::TextColored(scoreColor(score, ui.preferences.theme), "%s", text.c_str());
+  smallButton(Action::undo, editor, ui);
+  smallButton(Action::redo, editor, ui);
+  ImGui::TextColored(scoreColor(score, ui.theme), "%s", text.c_str());
   tooltip(score.help.c_str());
 }
 

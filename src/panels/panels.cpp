@@ -1,13 +1,19 @@
 #include "panels/panels.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <imgui.h>
 
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
+#include "panels/export_window.h"
+#include "panels/highlight.h"
 #include "panels/key_focus.h"
-#include "panels/lesson_text.h"
+#include "panels/progress_window.h"
+#include "panels/render_window.h"
+#include "panels/tour.h"
 #include "panels/view_panel.h"
+#include "panels/windows.h"
 
 namespace anamorph {
 namespace {
@@ -58,10 +64,20 @@ void drawSplitters(UiState& ui) {
   }
 }
 
+void drawWindows(Editor& editor, UiState& ui) {
+  const std::filesystem::path& level = editor.session.path();
+  drawRenderWindow(ui.render, ui.textures.render, level, ui.browser, ui.requests, ui);
+  drawExportWindow(ui.exporting, level, ui.browser, ui.requests, ui);
+  drawHelpWindow(editor, ui);
+  drawProgressWindow(ui.progress, editor, ui.levels, ui);
+  drawPresenter(editor, ui);
+  drawTour(ui.tour, ui.preferences, ui.layout, ui);
+}
+
 // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back all of it:
 // the field itself would only write the digits that it had shown.
 void finishChange(Editor& editor, const UiState& ui) {
-  if (!editor.session.changing() || ui.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
+  if (!editor.session.changing() || ui.mouse.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     editor.session.cancelChange();
   } else {
@@ -77,12 +93,14 @@ void handleInput(Editor& editor, UiState& ui) {
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
                           ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size())});
-  updateKeyFocus(ui);
-  updateHighlight(editor, ui, static_cast<double>(ImGui::GetIO().DeltaTime));
+  updateKeyFocus(ui.keyFocus, reachableWindows(ui), isDialogOpen(ui));
+  advanceHighlight(ui.highlight, editor.lesson, static_cast<double>(ImGui::GetIO().DeltaTime));
+  const HighlightScope highlight(ui.highlight);
   handleView(editor, ui);
 }
 
 void drawPanels(Editor& editor, UiState& ui) {
+  const HighlightScope highlight(ui.highlight);
   const MatchScore score = matchScore(editor.updater.result());
   drawMenuBar(editor, ui, score);
   drawLevelPanel(editor, ui);
@@ -91,12 +109,7 @@ void drawPanels(Editor& editor, UiState& ui) {
   drawPreviewPanel(editor, ui, score);
   drawStatusLine(editor, ui);
   drawSplitters(ui);
-  drawRenderWindow(editor, ui);
-  drawExportWindow(editor, ui);
-  drawHelpWindow(editor, ui);
-  drawProgressWindow(editor, ui);
-  drawPresenter(editor, ui);
-  drawTour(editor, ui);
+  drawWindows(editor, ui);
   drawDialogs(editor, ui);
   finishChange(editor, ui);
   drawView(editor, ui);

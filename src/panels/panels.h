@@ -25,17 +25,8 @@ void drawPropertiesPanel(Editor& editor, UiState& ui);
 void drawPreviewPanel(Editor& editor, UiState& ui, const MatchScore& score);
 void drawStatusLine(Editor& editor, UiState& ui);
 void drawHelpWindow(Editor& editor, UiState& ui);
-void drawRenderWindow(Editor& editor, UiState& ui);
-void drawExportWindow(Editor& editor, UiState& ui);
-/// Points and badges of all lessons.
-void drawProgressWindow(Editor& editor, UiState& ui);
 /// The open step in large letters, and a mark around the mouse: for an audience.
 void drawPresenter(Editor& editor, UiState& ui);
-/// Five cards that show a newcomer around, in twenty seconds.
-void drawTour(Editor& editor, UiState& ui);
-
-/// Opens a tab of the properties, and selects its thing.
-void openTab(Editor& editor, UiState& ui, PropertyTab tab);
 
 // The tabs of the properties panel.
 void drawEyeProperties(Editor& editor, UiState& ui);

@@ -27,13 +27,12 @@ void words(const LessonRun& run, const UiState& ui) {
   const LessonStep& step = run.open();
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextColored(ink::accent(ui.preferences.theme), "%s   %s", stepCount(run).c_str(),
-                       tr(step.title.c_str()));
+    ImGui::TextColored(ink::accent(ui.theme), "%s   %s", stepCount(run).c_str(), tr(step.title.c_str()));
   }
   const FontScope huge(ui.fonts.huge);
   // What was done while rehearsing is no answer yet.
   const bool notice = run.doneNow && !step.notice.empty();
-  if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.preferences.theme));
+  if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.theme));
   wrappedText(notice ? step.notice : step.task);
   if (notice) ImGui::PopStyleColor();
 }

@@ -104,7 +104,7 @@ void scoreBar(const UiState& ui, const MatchScore& score, bool parts) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   list->AddRectFilled(p, {p.x + width, p.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-  ImVec4 fill = scoreColor(score, ui.preferences.theme);
+  ImVec4 fill = scoreColor(score, ui.theme);
   fill.w = 0.45f;
   const float filled = width * static_cast<float>(std::clamp(score.fraction, 0.0, 1.0));
   if (filled > 1)
@@ -136,8 +136,8 @@ void scoreParts(const UiState& ui, const MatchScore& score) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
     quietText(ui, part.name);
-    ImGui::TextColored(part.good ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.preferences.theme),
-                       "%s", part.value.c_str());
+    ImGui::TextColored(part.good ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.theme), "%s",
+                       part.value.c_str());
     ImGui::EndGroup();
     ImGui::PushID(part.name);
     tooltip(part.help);

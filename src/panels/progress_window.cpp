@@ -1,4 +1,4 @@
-// Points and badges: what the student has done in all lessons, and a way to begin anew.
+#include "panels/progress_window.h"
 
 #include <algorithm>
 
@@ -7,14 +7,13 @@
 
 #include "base/language.h"
 #include "edit/lesson_run.h"
-#include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
 
-void lessonRow(const LevelEntry& entry, const Editor& editor, const UiState& ui) {
+void lessonRow(const LevelEntry& entry, const Editor& editor, const Look& look) {
   const LessonScore score = scoreOf(entry.lesson, editor.progress);
   const float size = ImGui::GetFontSize();
   ImGui::TableNextRow();
@@ -25,7 +24,7 @@ void lessonRow(const LevelEntry& entry, const Editor& editor, const UiState& ui)
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(tr(entry.title.c_str()));
   if (score.badge) {
-    quietText(ui, fmt::format("{}: {}", tr(entry.lesson.badge.title), tr(entry.lesson.badge.text)).c_str());
+    quietText(look, fmt::format("{}: {}", tr(entry.lesson.badge.title), tr(entry.lesson.badge.text)).c_str());
   }
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("{} of {} steps")), score.done, score.steps).c_str());
@@ -34,42 +33,43 @@ void lessonRow(const LevelEntry& entry, const Editor& editor, const UiState& ui)
 }
 
 // Asked twice, because it cannot be undone.
-void resetButton(Editor& editor, UiState& ui) {
+void resetButton(ProgressWindow& window, Editor& editor, const Look& look) {
   const bool any = !editor.progress.empty();
-  if (!any) ui.resetAsked = false;
-  if (!ui.resetAsked) {
-    if (wideButton("Reset progress", "Forget all steps that were done.", any)) ui.resetAsked = true;
+  if (!any) window.resetAsked = false;
+  if (!window.resetAsked) {
+    if (wideButton("Reset progress", "Forget all steps that were done.", any)) window.resetAsked = true;
     return;
   }
-  quietText(ui, "All points and badges will be gone.");
+  quietText(look, "All points and badges will be gone.");
   if (wideButton("Yes, forget them")) {
     editor.progress.clear();
     openStep(editor, 0);
-    ui.resetAsked = false;
+    window.resetAsked = false;
   }
-  if (wideButton("Keep them")) ui.resetAsked = false;
+  if (wideButton("Keep them")) window.resetAsked = false;
 }
 
 }  // namespace
 
-void drawProgressWindow(Editor& editor, UiState& ui) {
-  if (!ui.progressOpen) {
-    ui.resetAsked = false;
+void drawProgressWindow(ProgressWindow& window, Editor& editor, const std::vector<LevelEntry>& levels,
+                        const Look& look) {
+  if (!window.open) {
+    window.resetAsked = false;
     return;
   }
-  const float s = static_cast<float>(ui.scale);
-  if (beginToolWindow(ui, "Points and badges", "###progress", ui.progressOpen, 620, 0)) {
+  const float s = static_cast<float>(look.scale);
+  if (beginToolWindow(look, "Points and badges", "###progress", window.open, 620, 0)) {
     if (ImGui::BeginTable("lessons", 4, ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("badge", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize());
       ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthStretch);
       ImGui::TableSetupColumn("steps", ImGuiTableColumnFlags_WidthFixed, 110 * s);
       ImGui::TableSetupColumn("points", ImGuiTableColumnFlags_WidthFixed, 120 * s);
-      for (const LevelEntry& entry : ui.levels) {
-        if (!entry.lesson.steps.empty()) lessonRow(entry, editor, ui);
+      for (const LevelEntry& entry : levels) {
+        if (!entry.lesson.steps.empty()) lessonRow(entry, editor, look);
       }
       ImGui::EndTable();
     }
-    resetButton(editor, ui);
+    resetButton(window, editor, look);
   }
   ImGui::End();
 }

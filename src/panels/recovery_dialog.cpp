@@ -1,11 +1,10 @@
-// Levels that an earlier session could not save any more, offered when the program starts.
+#include "panels/recovery_dialog.h"
 
 #include <algorithm>
 
 #include <imgui.h>
 
 #include "base/language.h"
-#include "panels/actions.h"
 #include "panels/dialog.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
@@ -13,17 +12,16 @@
 namespace anamorph {
 namespace {
 
-void entryRow(UiState& ui, std::size_t index) {
-  const RecoveryEntry& entry = ui.recoveries[index];
+void entryRow(RecoveryDialog& dialog, std::size_t index, const Look& look) {
+  const RecoveryEntry& entry = dialog.entries[index];
   const float line = ImGui::GetTextLineHeightWithSpacing();
   ImGui::PushID(static_cast<int>(index));
   const ImVec2 p = ImGui::GetCursorPos();
-  if (ImGui::Selectable("##entry", index == ui.recoverySelected, 0, {0, 2 * line}))
-    ui.recoverySelected = index;
+  if (ImGui::Selectable("##entry", index == dialog.selected, 0, {0, 2 * line})) dialog.selected = index;
   const ImVec2 after = ImGui::GetCursorPos();
   ImGui::SetCursorPos(p);
   {
-    const FontScope strong(ui.fonts.strong);
+    const FontScope strong(look.fonts.strong);
     ImGui::TextUnformatted(entry.title.c_str());
   }
   ImGui::SameLine();
@@ -33,25 +31,26 @@ void entryRow(UiState& ui, std::size_t index) {
     ImGui::TextDisabled(
         "%s", entry.level.empty() ? tr("It was not saved to a file yet") : entry.level.string().c_str());
   } else {
-    ImGui::TextColored(ink::bad(ui.preferences.theme), "%s", entry.problem.c_str());
+    ImGui::TextColored(ink::bad(look.theme), "%s", entry.problem.c_str());
   }
   tooltip(entry.problem.c_str());
   ImGui::SetCursorPos(after);
   ImGui::PopID();
 }
 
-void moveSelection(UiState& ui) {
-  const std::size_t last = ui.recoveries.size() - 1;
-  ui.recoverySelected = std::min(ui.recoverySelected, last);
-  if (dialogKey(ui, keys::down)) ui.recoverySelected = std::min(ui.recoverySelected + 1, last);
-  if (dialogKey(ui, keys::up) && ui.recoverySelected > 0) --ui.recoverySelected;
+void moveSelection(RecoveryDialog& dialog, const DialogKeys& typed) {
+  const std::size_t last = dialog.entries.size() - 1;
+  dialog.selected = std::min(dialog.selected, last);
+  if (isTyped(typed, keys::down)) dialog.selected = std::min(dialog.selected + 1, last);
+  if (isTyped(typed, keys::up) && dialog.selected > 0) --dialog.selected;
 }
 
 }  // namespace
 
-void drawRecoveryDialog(UiState& ui) {
-  moveSelection(ui);
-  if (!beginDialog(ui, "Restore unsaved work?", 560)) return;
+std::optional<RecoveryAnswer> drawRecoveryDialog(RecoveryDialog& dialog, const DialogKeys& typed,
+                                                 const Look& look) {
+  moveSelection(dialog, typed);
+  if (!beginDialog(look, "Restore unsaved work?", 560)) return std::nullopt;
   paragraph(tr("Anamorph ended before this was saved. It is as it was a short time before:"));
   // As many as there are, at most four, and no more than leave room for the buttons.
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -59,18 +58,17 @@ void drawRecoveryDialog(UiState& ui) {
   const float room = 0.97f * ImGui::GetIO().DisplaySize.y - ImGui::GetCursorPosY() -
                      ImGui::GetFrameHeightWithSpacing() - style.WindowPadding.y;
   const float height =
-      std::clamp(room, 0.5f * row, row * static_cast<float>(std::min<std::size_t>(ui.recoveries.size(), 4)));
+      std::clamp(room, 0.5f * row, row * static_cast<float>(std::min<std::size_t>(dialog.entries.size(), 4)));
   ImGui::BeginChild("entries", {0, height});
-  for (std::size_t i = 0; i < ui.recoveries.size(); ++i) entryRow(ui, i);
+  for (std::size_t i = 0; i < dialog.entries.size(); ++i) entryRow(dialog, i, look);
   ImGui::EndChild();
-  const bool sound = ui.recoveries[ui.recoverySelected].problem.empty();
+  const bool sound = dialog.entries[dialog.selected].problem.empty();
   int pressed = dialogButtons({"Restore", "Discard", "Decide later"}, {sound});
-  if (sound && (dialogKey(ui, keys::enter) || dialogKey(ui, keys::padEnter))) pressed = 0;
-  if (dialogKey(ui, keys::escape)) pressed = 2;
-  if (pressed >= 0) {
-    ui.requests.recovery = RecoveryAnswer{static_cast<RecoveryAnswer::Kind>(pressed), ui.recoverySelected};
-  }
+  if (sound && isEnterTyped(typed)) pressed = 0;
+  if (isTyped(typed, keys::escape)) pressed = 2;
   endDialog();
+  if (pressed < 0) return std::nullopt;
+  return RecoveryAnswer{static_cast<RecoveryAnswer::Kind>(pressed), dialog.selected};
 }
 
 }  // namespace anamorph

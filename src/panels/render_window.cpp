@@ -1,4 +1,4 @@
-// The high-resolution picture: size and samples, progress, zoom, save.
+#include "panels/render_window.h"
 
 #include <algorithm>
 
@@ -7,30 +7,26 @@
 #include "base/language.h"
 #include "panels/browser_places.h"
 #include "panels/file_browser.h"
-#include "panels/panels.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
 
-void settings(UiState& ui) {
-  RenderDialog& dialog = ui.render;
+void settings(RenderDialog& dialog, UiRequests& requests, const Look& look) {
   integerRow("Longer side", dialog.longerSide, limits::renderedSize.panel, "In pixels.");
   integerRow("Samples", dialog.samplesPerAxis, limits::samplesPerAxis,
              "Along each side of a pixel: 3 means 9 rays a pixel.");
   if (dialog.running) {
-    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-80 * static_cast<float>(ui.scale), 0});
+    ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-80 * static_cast<float>(look.scale), 0});
     ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) ui.requests.cancelRender = true;
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) requests.cancelRender = true;
   } else if (wideButton("Render")) {
-    ui.requests.startRender = true;
+    requests.startRender = true;
   }
 }
 
 // Drag to shift, wheel to zoom at the mouse.
-void picture(UiState& ui, const ImVec2& room) {
-  RenderDialog& dialog = ui.render;
-  const UiTexture& t = ui.textures.render;
+void picture(RenderDialog& dialog, const UiTexture& t, const ImVec2& room) {
   const ImVec2 p = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("picture", room);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -61,30 +57,29 @@ void picture(UiState& ui, const ImVec2& room) {
 }
 
 // Proposes a name beside the last picture.
-void saveButton(const Editor& editor, UiState& ui) {
-  RenderDialog& dialog = ui.render;
-  if (!wideButton("Save as...", "", ui.textures.render.id != 0 && !dialog.running)) return;
+void saveButton(RenderDialog& dialog, const UiTexture& image, const std::filesystem::path& level,
+                FileBrowser& browser) {
+  if (!wideButton("Save as...", "", image.id != 0 && !dialog.running)) return;
   dialog.choosing = true;
-  browseFiles(ui, FilePurpose::saveImage,
-              proposedExport(ui, dialog.folder, editor.session.path(), "render.png"));
+  browseFiles(browser, FilePurpose::saveImage, proposedExport(browser, dialog.folder, level, "render.png"));
 }
 
 }  // namespace
 
-void drawRenderWindow(Editor& editor, UiState& ui) {
-  RenderDialog& dialog = ui.render;
-  if (const auto path = awaitChosenFile(ui, FilePurpose::saveImage, dialog.choosing)) {
+void drawRenderWindow(RenderDialog& dialog, const UiTexture& image, const std::filesystem::path& level,
+                      FileBrowser& browser, UiRequests& requests, const Look& look) {
+  if (const auto path = awaitChosenFile(browser, FilePurpose::saveImage, dialog.choosing)) {
     dialog.folder = path->parent_path();
-    ui.requests.saveRender = *path;
+    requests.saveRender = *path;
   }
   if (!dialog.open) return;
-  if (beginToolWindow(ui, "Render image", "###render", dialog.open, 620, 720)) {
-    settings(ui);
+  if (beginToolWindow(look, "Render image", "###render", dialog.open, 620, 720)) {
+    settings(dialog, requests, look);
     const float below = 2 * ImGui::GetFrameHeightWithSpacing();
     const ImVec2 avail = ImGui::GetContentRegionAvail();
-    picture(ui, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
-    saveButton(editor, ui);
-    quietText(ui, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
+    picture(dialog, image, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
+    saveButton(dialog, image, level, browser);
+    quietText(look, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
   }
   ImGui::End();
 }

@@ -82,7 +82,7 @@ void constructionRows(Editor& editor, const UiState& ui) {
   }
   for (const auto& [name, value] : construction->rows) textRow(name.c_str(), value);
   if (!construction->explanation.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.theme));
     paragraph(construction->explanation);
     ImGui::PopStyleColor();
   }

@@ -74,8 +74,8 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   if (!message.empty()) {
     ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
     const ImVec2 p = ImGui::GetCursorScreenPos();
-    const ImVec4 color = editor.message.empty() ? ink::middling(ui.preferences.theme)
-                                                : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const ImVec4 color =
+        editor.message.empty() ? ink::middling(ui.theme) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const float end = rect.x + rightX - 12 * static_cast<float>(ui.scale);
     ImGui::PushClipRect(p, {end, rect.y + rect.height}, true);
     ImGui::TextColored(color, "%s", message.c_str());
@@ -84,7 +84,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   }
   if (rightX > 0.4f * rect.width) {
     ImGui::SameLine(rightX);
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.theme));
     ImGui::TextUnformatted(right.c_str());
     ImGui::PopStyleColor();
   }

@@ -1,10 +1,13 @@
 // How the panels look: colours, spacing and sizes of the three themes. Readable first.
 #pragma once
 
+#include <optional>
+
 #include <imgui.h>
 
 #include "math/palette.h"
-#include "panels/ui_state.h"
+#include "optics/material.h"
+#include "panels/look.h"
 
 namespace anamorph {
 

@@ -1,5 +1,4 @@
-// What is where: five cards of four seconds, each beside the part of the window that it tells of. Any of them
-// can be skipped, all of them at once, and the menu Help shows them again.
+#include "panels/tour.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +7,6 @@
 #include <imgui.h>
 
 #include "base/language.h"
-#include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
@@ -38,7 +36,7 @@ constexpr std::array cards{
 };
 
 // In a window of its own, below the card and above the panels.
-void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
+void dimAround(const Rect& r, const ImVec2& display, const Look& look) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(display);
   ImGui::Begin("##tour-dim", nullptr,
@@ -52,52 +50,56 @@ void dimAround(const Rect& r, const ImVec2& display, const UiState& ui) {
   list->AddRectFilled({0, r.y + r.height}, display, dim);
   list->AddRectFilled({0, r.y}, {r.x, r.y + r.height}, dim);
   list->AddRectFilled({r.x + r.width, r.y}, {display.x, r.y + r.height}, dim);
-  const float s = static_cast<float>(ui.scale);
+  const float s = static_cast<float>(look.scale);
   list->AddRect({r.x + s, r.y + s}, {r.x + r.width - s, r.y + r.height - s}, ink::of(palette::pointedAt),
                 3 * s, 0, 3 * s);
   list->PopClipRect();
   ImGui::End();
 }
 
-void finish(UiState& ui) {
-  ui.tourCard = -1;
-  ui.preferences.tourSeen = true;
+void nextCard(Tour& tour, Preferences& preferences) {
+  tour.seconds = 0;
+  if (++tour.card >= static_cast<int>(cards.size())) endTour(tour, preferences);
 }
 
-void nextCard(UiState& ui) {
-  ui.tourSeconds = 0;
-  if (++ui.tourCard >= static_cast<int>(cards.size())) finish(ui);
-}
-
-void drawCard(UiState& ui, const Card& card) {
+void drawCard(Tour& tour, Preferences& preferences, const Look& look) {
+  const Card& card = cards[static_cast<std::size_t>(tour.card)];
   {
-    const FontScope title(ui.fonts.title);
+    const FontScope title(look.fonts.title);
     ImGui::TextUnformatted(tr(card.title));
   }
   paragraph(tr(card.text));
-  ImGui::ProgressBar(static_cast<float>(std::min(1.0, ui.tourSeconds / cardSeconds)),
-                     {-FLT_MIN, 3 * static_cast<float>(ui.scale)}, "");
-  const bool last = ui.tourCard + 1 == static_cast<int>(cards.size());
-  if (ImGui::Button(tr(last ? "Begin" : "Next"))) return nextCard(ui);
+  ImGui::ProgressBar(static_cast<float>(std::min(1.0, tour.seconds / cardSeconds)),
+                     {-FLT_MIN, 3 * static_cast<float>(look.scale)}, "");
+  const bool last = tour.card + 1 == static_cast<int>(cards.size());
+  if (ImGui::Button(tr(last ? "Begin" : "Next"))) return nextCard(tour, preferences);
   if (last) return;
   ImGui::SameLine();
-  if (ImGui::Button(tr("Skip the tour"))) finish(ui);
+  if (ImGui::Button(tr("Skip the tour"))) endTour(tour, preferences);
 }
 
 }  // namespace
 
-void drawTour(Editor&, UiState& ui) {
-  if (ui.tourCard < 0) return;
-  const auto index = static_cast<std::size_t>(ui.tourCard);
-  if (index >= cards.size()) return finish(ui);
-  const Card& card = cards[index];
-  const Rect rect = ui.layout.*card.part;
-  if (rect.empty()) return nextCard(ui);  // a small window has not got it
+void startTour(Tour& tour) {
+  tour = {0, 0};
+}
+
+void endTour(Tour& tour, Preferences& preferences) {
+  tour.card = -1;
+  preferences.tourSeen = true;
+}
+
+void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const Look& look) {
+  if (!tour.goesOn()) return;
+  const auto index = static_cast<std::size_t>(tour.card);
+  if (index >= cards.size()) return endTour(tour, preferences);
+  const Rect rect = layout.*cards[index].part;
+  if (rect.empty()) return nextCard(tour, preferences);  // a small window has not got it
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float s = static_cast<float>(ui.scale);
-  dimAround(rect, display, ui);
+  const float s = static_cast<float>(look.scale);
+  dimAround(rect, display, look);
   // In the view: beside all parts, and in none but it; its buttons stay where they are.
-  const Rect& view = ui.layout.view;
+  const Rect& view = layout.view;
   ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + 0.85f * view.height}, ImGuiCond_Always,
                           {0.5f, 1});
   ImGui::SetNextWindowSize({std::min(340 * s, display.x), 0});
@@ -107,12 +109,12 @@ void drawTour(Editor&, UiState& ui) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav);
   const bool reading = ImGui::IsWindowHovered();
-  drawCard(ui, card);
+  drawCard(tour, preferences, look);
   ImGui::End();
   ImGui::PopStyleVar(2);
-  if (ui.tourCard < 0 || reading) return;
-  ui.tourSeconds += static_cast<double>(ImGui::GetIO().DeltaTime);
-  if (ui.tourSeconds >= cardSeconds) nextCard(ui);
+  if (!tour.goesOn() || reading) return;
+  tour.seconds += static_cast<double>(ImGui::GetIO().DeltaTime);
+  if (tour.seconds >= cardSeconds) nextCard(tour, preferences);
 }
 
 }  // namespace anamorph

@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include "panels/highlight.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -215,12 +216,14 @@ void drawView(Editor& editor, UiState& ui) {
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
   if (const auto& construction = currentConstruction(editor)) drawConstruction(ink, *construction);
-  drawGizmo(ink, emphasised(currentGizmo(editor, ui).gizmo, ui.hoveredHandle.value_or(GizmoHandle::none)));
+  drawGizmo(ink,
+            emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
   drawProblem(editor, ui);
+  if (!ui.bare) drawViewProblem(ui);
   if (ui.preferences.legend && editor.rays.show && !ui.bare) drawLegend(editor, ui);
 }
 

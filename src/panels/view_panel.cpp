@@ -26,26 +26,26 @@ bool isUsable(const Pixel& pixel) {
   return std::abs(pixel.x) < 1e6 && std::abs(pixel.y) < 1e6;
 }
 
-DragKeys keysOf(const UiState& ui) {
+DragKeys keysOf(const ViewMouse& mouse) {
   DragKeys keys{ImGui::GetIO().KeyCtrl, ImGui::GetIO().KeyShift, {}};
-  if (ui.axisLock >= 0) keys.axisLock = ui.axisLock;
+  if (mouse.axisLock >= 0) keys.axisLock = mouse.axisLock;
   return keys;
 }
 
 void startGizmoDrag(Editor& editor, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
                     const Pixel& mouse) {
   editor.session.finishChange();  // of a number that was typed into until now
-  ui.viewDrag = ViewDrag::gizmo;
-  ui.axisLock = -1;
-  ui.gizmoDrag.emplace(GizmoDragStart{editor.session.level(), editor.selection, shown.frame, shown.mode,
-                                      handle, projectionOf(editor), mouse, ui.scale});
+  ui.mouse.drag = ViewDrag::gizmo;
+  ui.mouse.axisLock = -1;
+  ui.mouse.gizmoDrag.emplace(GizmoDragStart{editor.session.level(), editor.selection, shown.frame, shown.mode,
+                                            handle, projectionOf(editor), mouse, ui.scale});
 }
 
 void press(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ShownGizmo shown = currentGizmo(editor, ui);
   const GizmoHandle handle = pickHandle(shown.gizmo, mouse);
   if (handle != GizmoHandle::none) return startGizmoDrag(editor, ui, shown, handle, mouse);
-  ui.clickPending = true;
+  ui.mouse.clickPending = true;
 }
 
 void click(Editor& editor, const UiState& ui, const Pixel& mouse) {
@@ -76,14 +76,14 @@ void zoom(Editor& editor, const UiState& ui, const Pixel& mouse, double steps) {
 void beginDrags(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseDoubleClicked(0)) {
-    ui.clickPending = false;
+    ui.mouse.clickPending = false;
     centre(editor, ui, mouse);
   } else if (ImGui::IsMouseClicked(0)) {
     press(editor, ui, mouse);
   } else if (ImGui::IsMouseClicked(1) || (ImGui::IsMouseClicked(2) && io.KeyShift)) {
-    ui.viewDrag = ViewDrag::pan;
+    ui.mouse.drag = ViewDrag::pan;
   } else if (ImGui::IsMouseClicked(2)) {
-    ui.viewDrag = ViewDrag::orbit;
+    ui.mouse.drag = ViewDrag::orbit;
   }
   if (io.MouseWheel != 0 && std::isfinite(io.MouseWheel))
     zoom(editor, ui, mouse, std::clamp(io.MouseWheel, -10.0f, 10.0f));
@@ -91,12 +91,12 @@ void beginDrags(Editor& editor, UiState& ui, const Pixel& mouse) {
 
 void continueDrag(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (ui.clickPending && ImGui::IsMouseDragging(0, dragThreshold * static_cast<float>(ui.scale))) {
-    ui.clickPending = false;
-    ui.viewDrag = ViewDrag::orbit;
+  if (ui.mouse.clickPending && ImGui::IsMouseDragging(0, dragThreshold * static_cast<float>(ui.scale))) {
+    ui.mouse.clickPending = false;
+    ui.mouse.drag = ViewDrag::orbit;
   }
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-  switch (ui.viewDrag) {
+  switch (ui.mouse.drag) {
     case ViewDrag::orbit:
       if (!moved) break;
       takeOverView(editor);
@@ -108,8 +108,8 @@ void continueDrag(Editor& editor, UiState& ui, const Pixel& mouse) {
       editor.pose = pan(editor.pose, projectionOf(editor), io.MouseDelta.x, io.MouseDelta.y);
       break;
     case ViewDrag::gizmo:
-      editor.session.change(ui.gizmoDrag->levelAt(mouse, keysOf(ui)));
-      editor.message = ui.gizmoDrag->text();
+      editor.session.change(ui.mouse.gizmoDrag->levelAt(mouse, keysOf(ui.mouse)));
+      editor.message = ui.mouse.gizmoDrag->text();
       break;
     case ViewDrag::none:
       break;
@@ -122,28 +122,28 @@ bool anyButtonDown() {
 
 void handleMouse(Editor& editor, UiState& ui, bool hovered) {
   const Pixel mouse = mouseIn(ui.layout.view);
-  ui.hoveredHandle.reset();
+  ui.mouse.hoveredHandle.reset();
   if (!isUsable(mouse)) return;
-  const bool busy = ui.viewDrag != ViewDrag::none || ui.clickPending;
+  const bool busy = ui.mouse.drag != ViewDrag::none || ui.mouse.clickPending;
   if (hovered && !busy) beginDrags(editor, ui, mouse);
   continueDrag(editor, ui, mouse);
   if (!anyButtonDown()) {
-    if (ui.clickPending) click(editor, ui, mouse);
-    ui.clickPending = false;
-    endViewDrag(editor, ui, true);
+    if (ui.mouse.clickPending) click(editor, ui, mouse);
+    ui.mouse.clickPending = false;
+    endViewDrag(editor, ui.mouse, true);
   }
-  if (ui.viewDrag == ViewDrag::gizmo) {
-    ui.hoveredHandle = ui.gizmoDrag->start().handle;
+  if (ui.mouse.drag == ViewDrag::gizmo) {
+    ui.mouse.hoveredHandle = ui.mouse.gizmoDrag->start().handle;
   } else if (hovered) {
-    ui.hoveredHandle = pickHandle(currentGizmo(editor, ui).gizmo, mouse);
+    ui.mouse.hoveredHandle = pickHandle(currentGizmo(editor, ui).gizmo, mouse);
   }
-  if (ui.hoveredHandle && *ui.hoveredHandle != GizmoHandle::none)
+  if (ui.mouse.hoveredHandle && *ui.mouse.hoveredHandle != GizmoHandle::none)
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 }  // namespace
 
-ShownGizmo currentGizmo(const Editor& editor, const UiState& ui) {
+ShownGizmo currentGizmo(const Editor& editor, const Look& look) {
   ShownGizmo shown;
   const Selection& selection = editor.selection;
   const Level& level = editor.session.level();
@@ -159,29 +159,15 @@ ShownGizmo currentGizmo(const Editor& editor, const UiState& ui) {
   if (!frame) return shown;
   shown.frame = *frame;
   shown.gizmo =
-      makeGizmo(projectionOf(editor), *frame, shown.mode, ui.scale, scalesUniformly(level, selection));
+      makeGizmo(projectionOf(editor), *frame, shown.mode, look.scale, scalesUniformly(level, selection));
   return shown;
 }
 
-Pick pickAt(Editor& editor, const UiState& ui, const Pixel& pixel) {
+Pick pickAt(Editor& editor, const Look& look, const Pixel& pixel) {
   const PreparedSculpture shown = shownSculpture(editor);
-  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original,
-               shown, editor.display, editor.selection, ui.scale},
+  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original, shown,
+               editor.display, editor.selection, look.scale},
               pixel);
-}
-
-void endViewDrag(Editor& editor, UiState& ui, bool keep) {
-  if (ui.viewDrag == ViewDrag::gizmo) {
-    if (keep) {
-      editor.session.finishChange();
-    } else {
-      editor.session.cancelChange();
-      editor.message.clear();
-    }
-    ui.gizmoDrag.reset();
-    ui.axisLock = -1;
-  }
-  ui.viewDrag = ViewDrag::none;
 }
 
 void handleView(Editor& editor, UiState& ui) {

@@ -16,12 +16,9 @@ struct ShownGizmo {
   GizmoFrame frame;
   GizmoMode mode = GizmoMode::move;
 };
-ShownGizmo currentGizmo(const Editor& editor, const UiState& ui);
-
-/// Ends a drag in the view that goes on, keeping or losing what it did.
-void endViewDrag(Editor& editor, UiState& ui, bool keep);
+ShownGizmo currentGizmo(const Editor& editor, const Look& look);
 
 /// What is under a pixel of the view.
-Pick pickAt(Editor& editor, const UiState& ui, const Pixel& pixel);
+Pick pickAt(Editor& editor, const Look& look, const Pixel& pixel);
 
 }  // namespace anamorph

@@ -9,6 +9,7 @@
 #include "base/language.h"
 #include "edit/level_repairs.h"
 #include "panels/help_buttons.h"
+#include "panels/highlight.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 #include "raytrace/ray_looks.h"
@@ -103,7 +104,7 @@ void drawViewButtons(Editor& editor, UiState& ui) {
   beginFloating(ui, "##view-buttons", {1, 1}, 0, 6);
   if (ImGui::Button(tr(editor.lookingThrough ? "Back to where I was" : "Look through the RT camera")))
     toggleLookThrough(editor);
-  pointedItem("Look through the RT camera");
+  highlightItem("Look through the RT camera");
   tooltip("The key 0 does the same.");
   ImGui::End();
 }
@@ -114,13 +115,23 @@ void drawProblem(Editor& editor, UiState& ui) {
   beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextColored(ink::bad(ui.preferences.theme), "%s", tr("There is no sculpture"));
+    ImGui::TextColored(ink::bad(ui.theme), "%s", tr("There is no sculpture"));
   }
   ImGui::PushTextWrapPos(
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
   ImGui::TextUnformatted(capitalised(*problem).c_str());
   ImGui::PopTextWrapPos();
   repairButtons(editor, ui);
+  ImGui::End();
+}
+
+void drawViewProblem(const UiState& ui) {
+  if (ui.viewProblem.empty()) return;
+  beginFloating(ui, "##view-problem", {0, 0}, 0.94f, 6);
+  ImGui::PushTextWrapPos(
+      std::min(scaled(ui, 320), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
+  ImGui::TextColored(ink::middling(ui.theme), "%s", capitalised(ui.viewProblem).c_str());
+  ImGui::PopTextWrapPos();
   ImGui::End();
 }
 

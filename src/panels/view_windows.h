@@ -9,6 +9,8 @@ namespace anamorph {
 void drawViewButtons(Editor& editor, UiState& ui);
 /// Nothing when all is well.
 void drawProblem(Editor& editor, UiState& ui);
+/// What of the level the 3D view cannot show, in a corner of it; nothing when it shows all.
+void drawViewProblem(const UiState& ui);
 void drawLegend(const Editor& editor, const UiState& ui);
 /// All kinds of lines with their names, for the help.
 void drawAllLegendLines(const UiState& ui);

@@ -8,6 +8,7 @@
 #include <imgui_stdlib.h>
 
 #include "base/language.h"
+#include "panels/highlight.h"
 #include "panels/style.h"
 
 namespace anamorph {
@@ -15,38 +16,17 @@ namespace {
 
 constexpr float nameFraction = 0.40f;  // of the width
 
-// What pointAt() was told. Like Dear ImGui itself, one for the thread that draws.
-struct Pointer {
-  std::string name;
-  bool scrolled = false;
-  int count = 0;
-};
-Pointer pointer;
-
-// Around what is pointed at, over everything, breathing so that it is found.
-void outline(const ImVec2& low, const ImVec2& high) {
-  if (!pointer.scrolled) ImGui::SetScrollHereY(0.3f);
-  pointer.scrolled = true;
-  ++pointer.count;
-  const float pulse = 0.5f + 0.5f * std::sin(6 * static_cast<float>(ImGui::GetTime()));
-  const float grow = ImGui::GetFontSize() * (0.15f + 0.12f * pulse);
-  const ImRect& room = ImGui::GetCurrentWindow()->ClipRect;
-  if (!room.Overlaps({low, high})) return;
-  ImGui::GetForegroundDrawList()->AddRect({low.x - grow, low.y - grow}, {high.x + grow, high.y + grow},
-                                          ink::of(palette::pointedAt), grow, 0, 0.2f * ImGui::GetFontSize());
-}
-
-void pointedRow(const char* name, float width) {
-  if (pointer.name.empty() || pointer.name != name) return;
+// Outlines the row that begins here when it is pointed at.
+void highlightRow(const char* name, float width) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  outline(low, {low.x + width, low.y + ImGui::GetFrameHeight()});
+  highlightArea(name, low, {low.x + width, low.y + ImGui::GetFrameHeight()});
 }
 
 // Writes the name and moves to where the control goes. Pair with endRow().
 void beginRow(const char* name, const char* help) {
   ImGui::PushID(name);
   const float width = ImGui::GetContentRegionAvail().x;
-  pointedRow(name, width);
+  highlightRow(name, width);
   const float start = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(tr(name));
@@ -74,10 +54,10 @@ std::string label(const char* english) {
   return std::string(tr(english)) + "###" + english;
 }
 
-bool beginToolWindow(const UiState& ui, const char* english, const char* id, bool& open, float width,
+bool beginToolWindow(const Look& look, const char* english, const char* id, bool& open, float width,
                      float height, float mostHeight) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float s = static_cast<float>(ui.scale);
+  const float s = static_cast<float>(look.scale);
   const bool fits = height <= 0;
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(width * s, display.x), std::min(height * s, mostHeight * display.y)},
@@ -87,9 +67,9 @@ bool beginToolWindow(const UiState& ui, const char* english, const char* id, boo
   return ImGui::Begin(title.c_str(), &open, fits ? flags | ImGuiWindowFlags_NoResize : flags);
 }
 
-bool section(const UiState& ui, const char* title, bool open) {
+bool section(const Look& look, const char* title, bool open) {
   ImGui::Dummy({0, 2});
-  const FontScope strong(ui.fonts.strong);
+  const FontScope strong(look.fonts.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
   ImGui::SetNextItemOpen(open, ImGuiCond_Once);
   const bool shown = ImGui::CollapsingHeader(label(title).c_str());
@@ -169,7 +149,7 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
 
 bool checkRow(const char* name, bool& value, const char* help) {
   const bool changed = ImGui::Checkbox(label(name).c_str(), &value);
-  pointedItem(name);
+  highlightItem(name);
   tooltip(help);
   return changed;
 }
@@ -208,7 +188,7 @@ bool textFieldRow(const char* name, std::string& value, int lines, const char* h
   ImGui::TextUnformatted(tr(name));
   const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
   const bool changed = ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height});
-  pointedItem(name);
+  highlightItem(name);
   tooltip(help);
   ImGui::PopID();
   return changed;
@@ -218,21 +198,6 @@ void textRow(const char* name, const std::string& value, const char* help) {
   beginRow(name, help);
   paragraph(value);
   endRow(help);
-}
-
-void pointAt(const std::string& name) {
-  if (pointer.name == name) return;
-  pointer.name = name;
-  pointer.scrolled = false;
-}
-
-void pointedItem(const char* name) {
-  if (pointer.name.empty() || pointer.name != name) return;
-  outline(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-}
-
-int pointedCount() {
-  return pointer.count;
 }
 
 void drawStar(const ImVec2& middle, float radius) {
@@ -298,8 +263,8 @@ void paragraph(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
-void quietText(const UiState& ui, const char* text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.preferences.theme));
+void quietText(const Look& look, const char* text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(look.theme));
   paragraph(tr(text));
   ImGui::PopStyleColor();
 }
@@ -310,9 +275,9 @@ std::string capitalised(std::string sentence) {
   return sentence;
 }
 
-void problemText(const UiState& ui, const std::string& text) {
+void problemText(const Look& look, const std::string& text) {
   if (text.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(ui.preferences.theme));
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::bad(look.theme));
   paragraph(capitalised(tr(text)));
   ImGui::PopStyleColor();
 }
@@ -321,7 +286,7 @@ bool wideButton(const char* name, const char* help, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const bool pressed = ImGui::Button(label(name).c_str(), {-FLT_MIN, 0});
   ImGui::EndDisabled();
-  pointedItem(name);
+  highlightItem(name);
   tooltip(help);
   return pressed;
 }
@@ -363,7 +328,7 @@ bool segmentedControl(const char* id, int& chosen, const std::vector<const char*
       chosen = i;
       changed = true;
     }
-    pointedItem(names[i]);
+    highlightItem(names[i]);
     if (on) ImGui::PopStyleColor();
   }
   ImGui::PopStyleVar();

@@ -13,7 +13,8 @@
 
 #include "level/limits.h"
 #include "math/vec.h"
-#include "panels/ui_state.h"
+#include "panels/layout.h"
+#include "panels/look.h"
 
 namespace anamorph {
 
@@ -28,11 +29,11 @@ std::string label(const char* english);
 /// A window over the others that can be moved and closed: in the middle at first, never larger than the
 /// display, width and height at 100 %; height 0: as high as what is in it. `id`, "###help", is the same in
 /// every language. Pair with ImGui::End(), whatever it returns.
-bool beginToolWindow(const UiState& ui, const char* english, const char* id, bool& open, float width,
+bool beginToolWindow(const Look& look, const char* english, const char* id, bool& open, float width,
                      float height, float mostHeight = 0.94f);
 
 /// A heading that folds; returns whether what is below it is to be drawn.
-bool section(const UiState& ui, const char* title, bool open = true);
+bool section(const Look& look, const char* title, bool open = true);
 
 bool numberRow(const char* name, double& value, const NumberRange& range, const char* help = "");
 /// With a slider in place of a field: for values whose whole range makes sense. `power`: logarithmic.
@@ -48,13 +49,6 @@ bool choiceRow(const char* name, int& value, const std::vector<const char*>& cho
 /// A line of text that can be typed; `lines` > 1: a field of so many lines below the name.
 bool textFieldRow(const char* name, std::string& value, int lines = 1, const char* help = "");
 void textRow(const char* name, const std::string& value, const char* help = "");
-
-/// The control with this English name is outlined from now on, and scrolled to; "": none.
-void pointAt(const std::string& name);
-/// To be called after a control that has no row of its own: outlines it when it is pointed at.
-void pointedItem(const char* name);
-/// How often a control has been outlined since the program started, for tests.
-int pointedCount();
 
 /// A five-pointed star, for badges.
 void drawStar(const ImVec2& middle, float radius);
@@ -73,14 +67,14 @@ bool closePopups();
 void paragraph(const std::string& text);
 
 /// Wrapped text of second rank.
-void quietText(const UiState& ui, const char* text);
+void quietText(const Look& look, const char* text);
 
 /// Sentences of the pipeline begin in small letters, as they come after a file's name elsewhere.
 std::string capitalised(std::string sentence);
 
 /// What is wrong, in red, below the row that it is about; begins with a capital letter. Nothing for an empty
 /// text.
-void problemText(const UiState& ui, const std::string& text);
+void problemText(const Look& look, const std::string& text);
 
 /// A button as wide as the column.
 bool wideButton(const char* name, const char* help = "", bool enabled = true);

@@ -11,6 +11,8 @@
 
 #include <glm/vec4.hpp>
 
+#include "math/palette.h"
+#include "optics/optic.h"
 #include "raytrace/scene.h"
 #include "viewport/viewport_input.h"
 
@@ -64,6 +66,11 @@ struct SurfaceSlot {
   Box box;  ///< of its vertices
 };
 using SurfaceSlots = std::array<SurfaceSlot, gpuSurfaceCount>;
+
+/// The colour that the status of a vertex is drawn in.
+inline Color statusInk(PathStatus status) {
+  return inkOf(palette::vertexStatus[static_cast<std::size_t>(status)]);
+}
 
 /// What is drawn of the input, decided once for all passes.
 struct Visible {

@@ -27,6 +27,13 @@ SHADER_CONSTANT(int, missesMirror, anamorph::PathStatus::missesMirror)
 SHADER_CONSTANT(int, inFrontOfMirror, anamorph::PathStatus::inFrontOfMirror)
 SHADER_CONSTANT(int, grazing, anamorph::PathStatus::grazing)
 
+// In which colour it is drawn, and what is selected.
+SHADER_CONSTANT(vec3, missesMirrorInk, anamorph::statusInk(anamorph::PathStatus::missesMirror))
+SHADER_CONSTANT(vec3, inFrontOfMirrorInk, anamorph::statusInk(anamorph::PathStatus::inFrontOfMirror))
+SHADER_CONSTANT(vec3, grazingInk, anamorph::statusInk(anamorph::PathStatus::grazing))
+SHADER_CONSTANT(vec3, hitsMirrorAgainInk, anamorph::statusInk(anamorph::PathStatus::hitsMirrorAgain))
+SHADER_CONSTANT(vec3, selectedInk, anamorph::inkOf(anamorph::palette::selected))
+
 // Lines (line.h).
 SHADER_CONSTANT(int, lineSolid, anamorph::LineStyle::solid)
 SHADER_CONSTANT(int, lineDashed, anamorph::LineStyle::dashed)

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/language.h"
 #include "gl/load_gl.h"
 
 namespace anamorph {
 namespace {
 
-constexpr const char* surfaceNames[] = {"the sculpture", "the original", "the RT camera's model"};
+constexpr const char* tooLarge[] = {
+    "the sculpture has too many triangles for this graphics card and is not shown in the 3D view",
+    "the original has too many triangles for this graphics card and is not shown in the 3D view",
+    "the RT camera's model has too many triangles for this graphics card and is not shown in the 3D view"};
 
 /// Nothing is drawn of a mesh that is not whole.
 SurfaceSource completeOrNone(const SurfaceSource& source) {
@@ -73,8 +77,14 @@ void SurfaceStore::update(const SurfaceSources& wanted) {
   sources_ = sources;
 }
 
+std::string SurfaceStore::problem() const {
+  std::string problem;
+  for (const int i : leftOut_) problem += (problem.empty() ? "" : "; ") + std::string(tr(tooLarge[i]));
+  return problem;
+}
+
 void SurfaceStore::leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& lengths) {
-  problem_.clear();
+  leftOut_.clear();
   for (;;) {
     int largest = 0;
     for (int i = 0; i < gpuSurfaceCount; ++i) {
@@ -84,8 +94,7 @@ void SurfaceStore::leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& leng
     }
     if (std::all_of(lengths.begin(), lengths.end(), [](const auto& l) { return TexelArrays::fits(l); }))
       return;
-    problem_ += std::string(problem_.empty() ? "" : "; ") + surfaceNames[largest] +
-                " has too many triangles for this graphics card and is not shown in the 3D view";
+    leftOut_.push_back(largest);
     sources[largest] = {};
   }
 }

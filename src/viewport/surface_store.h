@@ -45,7 +45,7 @@ class SurfaceStore {
 
   const SurfaceSlots& slots() const { return slots_; }
   /// Which meshes are left out because the graphics card's textures are too small for them; empty: none.
-  const std::string& problem() const { return problem_; }
+  std::string problem() const;
 
  private:
   static constexpr int arrayCount = 4;
@@ -61,7 +61,7 @@ class SurfaceStore {
   std::array<TexelArrays, arrayCount> arrays_;  // in the order of SurfaceUnits
   SurfaceSources sources_;                      // what is there
   SurfaceSlots slots_;
-  std::string problem_;
+  std::vector<int> leftOut_;
   std::vector<glm::vec4> floats_;    // for sending
   std::vector<glm::uvec4> numbers_;  // the same
 };

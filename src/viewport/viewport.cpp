@@ -8,6 +8,7 @@
 #include <glad/gl.h>
 
 #include "base/check.h"
+#include "base/language.h"
 #include "gl/framebuffer.h"
 #include "gl/gl_error.h"
 #include "gl/shader.h"
@@ -162,8 +163,9 @@ Bitmap Viewport::readBack() const {
 std::string Viewport::problem() const {
   std::string problem = parts_->surfaces.problem();
   if (parts_->input.level.lights.size() > gpuLightLimit) {
-    problem += fmt::format("{}only the first {} lights are shown in the 3D view", problem.empty() ? "" : "; ",
-                           gpuLightLimit);
+    problem +=
+        (problem.empty() ? "" : "; ") +
+        fmt::format(fmt::runtime(tr("only the first {} lights are shown in the 3D view")), gpuLightLimit);
   }
   return problem;
 }

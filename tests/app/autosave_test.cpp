@@ -307,13 +307,13 @@ TEST(RecentFiles, AreKeptTogetherWithThoseOfOtherWindows) {
   const TemporaryFolder folder;
   UiState ui, other, third;
   ui.recentLevels = {"/a/1.json", "/a/2.json"};
-  ui.recentFolders = {"/a"};
+  ui.browser.recentFolders = {"/a"};
   saveRecent(folder / "state", ui);
   other.recentLevels = {"/b/3.json", "/a/2.json"};
   saveRecent(folder / "state", other);
   loadRecent(folder / "state", third);
   EXPECT_EQ(third.recentLevels, (std::vector<fs::path>{"/b/3.json", "/a/2.json", "/a/1.json"}));
-  EXPECT_EQ(third.recentFolders, (std::vector<fs::path>{"/a"}));
+  EXPECT_EQ(third.browser.recentFolders, (std::vector<fs::path>{"/a"}));
   writeText(folder / "state/recent.json", "{\"levels\": [3, \"relative\", null, {}], \"folders\": 7");
   UiState fourth;
   EXPECT_NO_THROW(loadRecent(folder / "state", fourth));

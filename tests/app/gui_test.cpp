@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/state_log.h"
+#include "base/language.h"
 #include "cli/program.h"
 #include "gui_fixture.h"
 #include "level/json.h"
@@ -55,7 +57,7 @@ class OpenGui : public GuiTest {
     frames(1);
     moveTo(grip_ + Pixel(20, 0));
     frames(2);
-    ASSERT_EQ(ui().viewDrag, ViewDrag::gizmo);
+    ASSERT_EQ(ui().mouse.drag, ViewDrag::gizmo);
     ASSERT_TRUE(editor().session.changing());
   }
 
@@ -212,6 +214,36 @@ TEST_F(OpenGui, TheMouseInTheViewChangesNoPictureByBeingThere) {
   const ViewQuality best = QualityGovernor::best();
   for (int i = 0; i < 4; ++i) headless->frame(1.0 / 60, &best);
   EXPECT_FALSE(gui().unfinished()) << "hovering is no reason to draw the 3D view again";
+}
+
+TEST_F(OpenGui, SaysWhatTheViewCannotShow) {
+  const auto isSaid = [] {
+    const ImGuiWindow* window = ImGui::FindWindowByName("##view-problem");
+    return window && window->Active;
+  };
+  const auto light = [&](std::size_t count) {
+    Level level = editor().session.level();
+    level.lights.resize(count);
+    editor().session.edit(std::move(level));
+    frames(3);
+  };
+  light(16);
+  EXPECT_EQ(ui().viewProblem, "");
+  EXPECT_FALSE(isSaid());
+  light(17);
+  EXPECT_NE(ui().viewProblem.find("first 16 lights"), std::string::npos) << ui().viewProblem;
+  EXPECT_TRUE(isSaid());
+  ui().preferences.language = "nl";
+  frames(3);
+  EXPECT_NE(ui().viewProblem.find("eerste 16 lampen"), std::string::npos) << ui().viewProblem;
+  setLanguage(nullptr);
+  ui().bare = true;
+  frames(3);
+  EXPECT_FALSE(isSaid()) << "a picture of the things alone";
+  ui().bare = false;
+  light(16);
+  EXPECT_EQ(ui().viewProblem, "");
+  EXPECT_FALSE(isSaid());
 }
 
 TEST_F(OpenGui, StateLineIsJson) {

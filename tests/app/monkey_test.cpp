@@ -18,7 +18,7 @@
 #include "gui_fixture.h"
 #include "level/level_json.h"
 #include "panels/actions.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels/view_panel.h"
 #include "random_scene.h"
 
@@ -62,7 +62,7 @@ class Monkey : public GuiTest {
     home_ = fs::current_path();
     fs::current_path(folder_ / "");                            // the render dialog may save its picture
     ui().browser.root = fs::path(folder_ / "").parent_path();  // and nothing is written elsewhere
-    ui().recentFolders = {ui().browser.root};
+    ui().browser.recentFolders = {ui().browser.root};
     writeSmallLevels(folder_ / "");
     ui().levels = listLevels(folder_ / "");
     ASSERT_GE(ui().levels.size(), 3u);
@@ -126,8 +126,9 @@ class Monkey : public GuiTest {
     if (chance(0.2)) {
       gui().key(random_.integer(0, 348), random_.integer(0, 15));
     } else {
-      const Shortcut shortcut = oneOf(shortcuts(ui().preferences.vrtKeys));
-      gui().key(shortcut.key, shortcut.modifiers);
+      const ActionRow& row = rowOf(static_cast<Action>(random_.integer(0, int(actionCount) - 1)));
+      const Key key = oneOf(keysOf(row, ui().preferences.vrtKeys));
+      gui().key(key.code, key.modifiers);
     }
     ui().requests.quit = false;
   }

@@ -65,16 +65,17 @@ TEST_F(ViewInput, ChangesWithWhatIsLookedAt) {
   EXPECT_TRUE(changes([&] { editor.display.wireframe = true; }));
   EXPECT_TRUE(changes([&] { editor.rays.vertexCount = 3; }));
   EXPECT_TRUE(changes([&] { ui.scale = 2; }));
-  EXPECT_TRUE(changes([&] { ui.preferences.theme = Theme::projector; }));
+  EXPECT_TRUE(changes([&] { ui.theme = Theme::projector; }));
   EXPECT_TRUE(changes([&] { editor.viewWidth += 1; }));
   EXPECT_TRUE(changes([&] { ui.hoveredCell = GridCell{2, 2}; }));
-  EXPECT_FALSE(changes([&] { ui.hoveredHandle = GizmoHandle::x; })) << "is drawn over the view, not in it";
+  EXPECT_FALSE(changes([&] { ui.mouse.hoveredHandle = GizmoHandle::x; }))
+      << "is drawn over the view, not in it";
   EXPECT_FALSE(changes([&] { editor.message = "hello"; }));
 }
 
 TEST_F(ViewInput, HasTheSkyOfItsTheme) {
   EXPECT_EQ(make().display.background, skyOf(Theme::dark));
-  ui.preferences.theme = Theme::projector;
+  ui.theme = Theme::projector;
   EXPECT_EQ(make().display.background, skyOf(Theme::projector));
   editor.display.background = Background{};
   EXPECT_EQ(make().display.background, Background{});

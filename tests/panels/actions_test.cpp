@@ -6,9 +6,12 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "edit/advance.h"
 #include "edit/orbit.h"
 #include "level/level_library.h"
+#include "panels/key_input.h"
 #include "random_scene.h"
 
 namespace anamorph {
@@ -18,8 +21,12 @@ const std::filesystem::path levels = ANAMORPH_LEVELS;
 
 std::vector<Action> allActions() {
   std::vector<Action> actions;
-  for (int i = 0; i <= static_cast<int>(Action::fullscreen); ++i) actions.push_back(static_cast<Action>(i));
+  for (std::size_t i = 0; i < actionCount; ++i) actions.push_back(static_cast<Action>(i));
   return actions;
+}
+
+std::string keyNameOf(Action action, bool vrtKeys) {
+  return keyName(keysOf(rowOf(action), vrtKeys).front());
 }
 
 bool anythingAsked(const UiRequests& requests) {
@@ -27,24 +34,29 @@ bool anythingAsked(const UiRequests& requests) {
          requests.cancelRender || requests.saveRender || requests.open || requests.startNew;
 }
 
-TEST(Actions, EveryOneHasItsTextOnce) {
+TEST(Actions, EveryOneHasItsRowOnce) {
   std::set<std::string> names;
   for (const Action action : allActions()) {
-    const auto& texts = actionTexts();
-    const auto has = [&](const ActionText& text) { return text.action == action; };
-    ASSERT_EQ(std::count_if(texts.begin(), texts.end(), has), 1) << int(action);
-    const ActionText& text = *std::find_if(texts.begin(), texts.end(), has);
-    EXPECT_NE(std::string(text.name), "");
-    EXPECT_TRUE(names.insert(text.name).second) << text.name;
+    const auto rows = actionTable();
+    const auto has = [&](const ActionRow& row) { return row.action == action; };
+    ASSERT_EQ(std::count_if(rows.begin(), rows.end(), has), 1) << int(action);
+    const ActionRow& row = rowOf(action);
+    EXPECT_EQ(row.action, action);
+    EXPECT_NE(std::string(row.name), "");
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_TRUE(row.help && row.run && row.enabled && row.ticked) << row.name;
   }
 }
 
 TEST(Actions, NoTwoShortcutsHaveTheSameKey) {
   for (const bool vrtKeys : {false, true}) {
     std::set<std::pair<int, int>> used;
-    for (const Shortcut& shortcut : shortcuts(vrtKeys)) {
-      EXPECT_TRUE(used.insert({shortcut.key, shortcut.modifiers}).second) << shortcut.keyName;
-      EXPECT_NE(std::string(shortcut.keyName), "");
+    for (const ActionRow& row : actionTable()) {
+      for (const Key& key : keysOf(row, vrtKeys)) {
+        EXPECT_TRUE(used.insert({key.code, key.modifiers}).second) << keyName(key);
+        EXPECT_NE(keyName(key), "");
+        EXPECT_EQ(findAction(key, vrtKeys), &row) << keyName(key);
+      }
     }
   }
 }
@@ -59,13 +71,132 @@ TEST(Actions, EveryOneCanBeDoneByAKey) {
 }
 
 TEST(Actions, LettersAndDigitsHaveTheNameOfTheirKey) {
-  for (const Shortcut& shortcut : shortcuts(false)) {
-    if (shortcut.key < 'A' || shortcut.key > 'Z') continue;
+  for (const ActionRow& row : actionTable()) {
+    const Key key = keysOf(row, false).front();
+    if (key.code < 'A' || key.code > 'Z') continue;
     std::string name;
-    if (shortcut.modifiers & keys::control) name += "Ctrl+";
-    if (shortcut.modifiers & keys::shift) name += "Shift+";
-    EXPECT_EQ(shortcut.keyName, name + static_cast<char>(shortcut.key));
+    if (key.modifiers & keys::control) name += "Ctrl+";
+    if (key.modifiers & keys::shift) name += "Shift+";
+    EXPECT_EQ(keyName(key), name + static_cast<char>(key.code));
   }
+  EXPECT_EQ(keyName({keys::left, keys::alt}), "Alt+Left");
+  EXPECT_EQ(keyName({keys::pageUp}), "Page Up");
+  EXPECT_EQ(keyName({keys::f12}), "F12");
+  EXPECT_EQ(keyName({keys::pad0 + 7}), "7") << "as its digit";
+  EXPECT_EQ(keyName({}), "");
+}
+
+// All that an action could change, in words.
+std::string stateOf(const Editor& editor, const UiState& ui) {
+  const UiRequests& r = ui.requests;
+  std::string state = levelAsText(editor.session.level(), {});
+  const auto add = [&](const auto&... values) { ((state += " " + fmt::format("{}", values)), ...); };
+  add(editor.session.canUndo(), editor.session.canRedo(), editor.session.generation(), editor.message);
+  add(int(editor.selection.part), editor.selection.index, editor.cell.has_value(), editor.point.has_value());
+  add(int(editor.gizmoMode), editor.gizmoLocal, editor.pose.eye.x, editor.pose.eye.y, editor.pose.eye.z);
+  add(editor.pose.orthographic, editor.flight.has_value(), editor.lookingThrough, editor.preview.expanded);
+  add(editor.animationPaused, editor.animationSeconds, editor.rayStep, editor.lesson.step);
+  add(editor.lesson.play.has_value(), editor.progress.size(), int(ui.mouse.drag), ui.keyFocus.window);
+  add(r.quit, r.toggleFullscreen, r.shot.has_value(), r.startExport, r.startRender, r.startNew);
+  add(r.open.value_or("").string(), ui.browser.open, ui.notice.has_value(), int(ui.tabs.open));
+  add(ui.exporting.open, ui.render.open, ui.progress.open, ui.helpOpen, ui.tour.card, ui.presenting);
+  add(ui.panelsHidden, ui.highlight.control);
+  return state;
+}
+
+// Presses the keys of all actions that cannot be done, and adds these to `seen`.
+void pressWhatIsDisabled(Editor& editor, UiState& ui, std::set<Action>& seen) {
+  const std::string before = stateOf(editor, ui);
+  for (const bool vrtKeys : {false, true}) {
+    ui.preferences.vrtKeys = vrtKeys;
+    for (const ActionRow& row : actionTable()) {
+      if (isEnabled(row.action, editor, ui)) continue;
+      seen.insert(row.action);
+      for (const Key& key : keysOf(row, vrtKeys)) {
+        EXPECT_TRUE(handleKey(key.code, key.modifiers, editor, ui)) << row.name << ": the key is taken";
+        EXPECT_EQ(stateOf(editor, ui), before) << row.name;
+      }
+      perform(row.action, editor, ui);
+      EXPECT_EQ(stateOf(editor, ui), before) << row.name;
+    }
+  }
+}
+
+TEST(Actions, AKeyOfWhatCannotBeDoneDoesNothing) {
+  std::set<Action> seen;
+  {
+    Editor editor({}, 1);
+    UiState ui;
+    pressWhatIsDisabled(editor, ui, seen);
+    editor.rays.show = false;
+    pressWhatIsDisabled(editor, ui, seen);
+  }
+  UiState ui;
+  ui.levels = listLevels(levels);
+  for (const LevelEntry& entry : {ui.levels.front(), ui.levels.back()}) {
+    Editor editor({}, 1);
+    openLevel(editor, entry.path);
+    advance(editor, 0.1);
+    pressWhatIsDisabled(editor, ui, seen);
+  }
+  const std::set<Action> notAlways{Action::undo,          Action::redo,         Action::resetLevel,
+                                   Action::reload,        Action::pauseRays,    Action::previousStep,
+                                   Action::nextStep,      Action::showStep,     Action::rayStepForward,
+                                   Action::rayStepBack,   Action::nextPanel,    Action::nextLevel,
+                                   Action::previousPanel, Action::previousLevel};
+  EXPECT_EQ(seen, notAlways);
+}
+
+TEST(Actions, CanBeDoneAgainAsSoonAsThereIsWhatTheyAreAbout) {
+  Editor editor({}, 1);
+  UiState ui;
+  ui.levels = listLevels(levels);
+  openLevel(editor, ui.levels.at(1).path);
+  advance(editor, 0.1);
+  for (const Action action :
+       {Action::reload, Action::previousLevel, Action::nextLevel, Action::nextStep, Action::showStep})
+    EXPECT_TRUE(isEnabled(action, editor, ui)) << rowOf(action).name;
+  EXPECT_FALSE(isEnabled(Action::previousStep, editor, ui)) << "it is the first";
+  perform(Action::nextStep, editor, ui);
+  EXPECT_TRUE(isEnabled(Action::previousStep, editor, ui));
+  EXPECT_FALSE(isEnabled(Action::undo, editor, ui));
+  Level other = editor.session.level();
+  other.sculpture.depthScale = 2;
+  editor.session.change(other);
+  EXPECT_TRUE(isEnabled(Action::undo, editor, ui)) << "a drag can be undone while it goes on";
+  EXPECT_TRUE(isEnabled(Action::resetLevel, editor, ui));
+  perform(Action::undo, editor, ui);
+  EXPECT_FALSE(isEnabled(Action::undo, editor, ui));
+  EXPECT_FALSE(isEnabled(Action::pauseRays, editor, ui));
+  editor.rays.animate = true;
+  EXPECT_TRUE(isEnabled(Action::pauseRays, editor, ui));
+  EXPECT_FALSE(isEnabled(Action::nextPanel, editor, ui)) << "none is there";
+  ui.panelsHidden = true;
+  ui.exporting.open = true;
+  EXPECT_TRUE(isEnabled(Action::nextPanel, editor, ui)) << "an open window can have the keyboard, too";
+}
+
+TEST(Actions, ATickSaysWhatIsOn) {
+  Editor editor({}, 1);
+  UiState ui;
+  openLevel(editor, levels / "1-plane.json");
+  editor.rays.animate = true;
+  const auto ticked = [&](Action action) { return rowOf(action).ticked(editor, ui); };
+  for (const Action action : {Action::toggleLocal, Action::lookThrough, Action::toggleParallel,
+                              Action::pauseRays, Action::progress, Action::hidePanels, Action::present}) {
+    SCOPED_TRACE(rowOf(action).name);
+    EXPECT_FALSE(ticked(action));
+    perform(action, editor, ui);
+    EXPECT_TRUE(ticked(action));
+    perform(action, editor, ui);
+    EXPECT_FALSE(ticked(action));
+  }
+  for (const Action mode : {Action::moveMode, Action::rotateMode, Action::scaleMode}) {
+    perform(mode, editor, ui);
+    for (const Action other : {Action::moveMode, Action::rotateMode, Action::scaleMode})
+      EXPECT_EQ(ticked(other), other == mode);
+  }
+  EXPECT_FALSE(ticked(Action::save));
 }
 
 TEST(Actions, NoneHarmsAFreshEditor) {
@@ -197,12 +328,12 @@ TEST(Actions, UndoInADragTakesItBackWhole) {
   UiState ui;
   openLevel(editor, levels / "1-plane.json");
   const Level opened = editor.session.level();
-  ui.viewDrag = ViewDrag::gizmo;
+  ui.mouse.drag = ViewDrag::gizmo;
   Level other = opened;
   other.sculpture.depthScale = 2;
   editor.session.change(other);
   perform(Action::undo, editor, ui);
-  EXPECT_EQ(ui.viewDrag, ViewDrag::none);
+  EXPECT_EQ(ui.mouse.drag, ViewDrag::none);
   EXPECT_EQ(editor.session.level(), opened);
   perform(Action::redo, editor, ui);
   EXPECT_EQ(editor.session.level(), other);
@@ -229,13 +360,13 @@ TEST(Keys, LockTheAxisOfADrag) {
   Editor editor({}, 1);
   UiState ui;
   EXPECT_FALSE(handleKey('X', 0, editor, ui)) << "no drag";
-  ui.viewDrag = ViewDrag::gizmo;
+  ui.mouse.drag = ViewDrag::gizmo;
   EXPECT_TRUE(handleKey('X', 0, editor, ui));
-  EXPECT_EQ(ui.axisLock, 0);
+  EXPECT_EQ(ui.mouse.axisLock, 0);
   EXPECT_TRUE(handleKey('Z', 0, editor, ui));
-  EXPECT_EQ(ui.axisLock, 2);
+  EXPECT_EQ(ui.mouse.axisLock, 2);
   EXPECT_TRUE(handleKey('Z', 0, editor, ui));
-  EXPECT_EQ(ui.axisLock, -1);
+  EXPECT_EQ(ui.mouse.axisLock, -1);
 }
 
 TEST(Keys, NumberPadIsAsGoodAsTheDigits) {

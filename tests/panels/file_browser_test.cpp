@@ -10,7 +10,7 @@
 
 #include "cli/program.h"
 #include "exports/export_formats.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels_fixture.h"
 
@@ -35,7 +35,7 @@ class Browser : public PanelsTest {
   }
 
   void browse(const FilePurpose& purpose, const std::string& start = "") {
-    browseFiles(ui, purpose, start.empty() ? folder_ / "" : start);
+    browseFiles(ui.browser, purpose, start.empty() ? folder_ / "" : start);
     frames(3);
   }
   void type(const std::string& text) {
@@ -97,8 +97,8 @@ TEST_F(Browser, IsUsedByKeysAlone) {
   EXPECT_EQ(selected(), "level-2.json");
   key(keys::enter);
   EXPECT_FALSE(isDialogOpen(ui));
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), std::nullopt) << "it was not for this";
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::openLevel), fs::path(at("level-2.json")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), std::nullopt) << "it was not for this";
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::openLevel), fs::path(at("level-2.json")));
 }
 
 TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
@@ -108,10 +108,10 @@ TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
   type("picture");
   key(keys::enter);
   EXPECT_FALSE(ui.browser.open);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::openMesh), std::nullopt);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), fs::path(at("picture.png")));
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), std::nullopt);
-  EXPECT_EQ(ui.recentFolders.front(), fs::path(at("")).parent_path());
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::openMesh), std::nullopt);
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), fs::path(at("picture.png")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), std::nullopt);
+  EXPECT_EQ(ui.browser.recentFolders.front(), fs::path(at("")).parent_path());
 }
 
 TEST_F(Browser, TypingFilters) {
@@ -162,13 +162,13 @@ TEST_F(Browser, TypedPathsLeadThere) {
 }
 
 TEST_F(Browser, LosesNoLetterOfAQuickTypist) {
-  browseFiles(ui, FilePurpose::openLevel, folder_ / "");
+  browseFiles(ui.browser, FilePurpose::openLevel, folder_ / "");
   type("works/mi");
   EXPECT_EQ(ui.browser.folder, at("works"));
   EXPECT_EQ(ui.browser.text, "mi");
   type("ne");
   EXPECT_EQ(ui.browser.text, "mine");
-  browseFiles(ui, FilePurpose::saveImage, at("proposal.png"));
+  browseFiles(ui.browser, FilePurpose::saveImage, at("proposal.png"));
   type("other");
   EXPECT_EQ(ui.browser.text, "other");
 }
@@ -203,7 +203,7 @@ TEST_F(Browser, AsksBeforeItReplaces) {
   key(keys::enter);
   key(keys::enter);
   EXPECT_FALSE(ui.browser.open);
-  EXPECT_EQ(takeChosenFile(ui, FilePurpose::saveImage), fs::path(at("old.png")));
+  EXPECT_EQ(takeChosenFile(ui.browser, FilePurpose::saveImage), fs::path(at("old.png")));
 }
 
 TEST_F(Browser, WhileItAsksNothingElseCanBeChosen) {
@@ -237,11 +237,11 @@ TEST_F(Browser, ProposesNameAndEnding) {
   type("other");  // the proposed name is selected: typing replaces it
   EXPECT_EQ(ui.browser.text, "other");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, saveMesh), fs::path(at("works/other.stl")));
+  EXPECT_EQ(takeChosenFile(ui.browser, saveMesh), fs::path(at("works/other.stl")));
   browse(saveMesh, at("works/sculpture.stl"));
   type("other.ply");
   key(keys::enter);
-  EXPECT_EQ(takeChosenFile(ui, saveMesh), fs::path(at("works/other.ply")));
+  EXPECT_EQ(takeChosenFile(ui.browser, saveMesh), fs::path(at("works/other.ply")));
 }
 
 TEST_F(Browser, ASelectedFilesNameCanBeSavedTo) {

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "cli/program.h"
 #include "level/level_json.h"
-#include "panels/dialog.h"
+#include "panels/dialogs.h"
 #include "panels_fixture.h"
 
 namespace anamorph::testing {
@@ -26,7 +26,7 @@ class FileFlow : public PanelsTest {
     fs::copy_file(fs::path(ANAMORPH_LEVELS) / "3-sphere.json", folder_ / "other.json");
     openLevel(editor, folder_ / "mine.json");
     editor.updater.finish(editor.session, {});
-    ui.recentFolders = {folder_ / ""};
+    ui.browser.recentFolders = {folder_ / ""};
   }
 
   // As Gui::frame.
@@ -392,12 +392,13 @@ TEST_F(FileFlow, RecentLevelsAreThoseOfOnesOwnNewestFirst) {
   EXPECT_EQ(ui.recentLevels, (std::vector<fs::path>{folder_ / "mine.json", folder_ / "other.json"}));
   for (int i = 0; i < 30; ++i) rememberLevel(ui, folder_ / (std::to_string(i) + ".json"));
   EXPECT_EQ(ui.recentLevels.size(), 10u);
-  EXPECT_EQ(ui.recentFolders.size(), 1u + (ui.recentFolders.back() == folder_ / ""));
+  EXPECT_EQ(ui.browser.recentFolders.size(), 1u + (ui.browser.recentFolders.back() == folder_ / ""));
 }
 
 TEST_F(FileFlow, DialogsFitEveryWindow) {
-  ui.recoveries = {{folder_ / "mine.json", "The plane mirror", "today, 12:03", ""},
-                   {{}, std::string(200, 'W'), "yesterday", "cannot be read: " + std::string(300, 'x')}};
+  ui.recovery.entries = {
+      {folder_ / "mine.json", "The plane mirror", "today, 12:03", ""},
+      {{}, std::string(200, 'W'), "yesterday", "cannot be read: " + std::string(300, 'x')}};
   for (const auto& [width, height, scale] :
        {std::tuple{800.0f, 500.0f, 2.0}, {1280.0f, 800.0f, 1.0}, {320.0f, 200.0f, 3.0}, {1.0f, 1.0f, 1.0}}) {
     for (const Theme theme : {Theme::dark, Theme::projector}) {
@@ -415,7 +416,7 @@ TEST_F(FileFlow, DialogsFitEveryWindow) {
 }
 
 TEST_F(FileFlow, RecoveryIsAnsweredByKeys) {
-  ui.recoveries = {{folder_ / "mine.json", "One", "", ""}, {{}, "Two", "", "broken"}};
+  ui.recovery.entries = {{folder_ / "mine.json", "One", "", ""}, {{}, "Two", "", "broken"}};
   step(2);
   key(keys::down);
   key(keys::enter);

@@ -45,23 +45,23 @@ class KeyFocus : public PanelsTest {
 TEST_F(KeyFocus, GoesAroundAllPanels) {
   for (const char* name : {"levels", "lesson", "properties", "preview"}) {
     key(keys::f6);
-    EXPECT_EQ(ui.keyPanel, name);
+    EXPECT_EQ(ui.keyFocus.window, name);
     EXPECT_EQ(focused(), name);
     EXPECT_NE(GImGui->NavId, 0u) << "its first control is marked at once";
     EXPECT_FALSE(GImGui->NavDisableHighlight);
   }
   key(keys::f6);
-  EXPECT_EQ(ui.keyPanel, "") << "the 3D view again";
+  EXPECT_EQ(ui.keyFocus.window, "") << "the 3D view again";
   EXPECT_TRUE(GImGui->NavDisableHighlight) << "and no control is marked any more";
   key(keys::f6, keys::shift);
-  EXPECT_EQ(ui.keyPanel, "preview");
+  EXPECT_EQ(ui.keyFocus.window, "preview");
   perform(Action::help, editor, ui);
   frames(2);
   key(keys::f6);
-  EXPECT_EQ(ui.keyPanel, "###help");
+  EXPECT_EQ(ui.keyFocus.window, "###help");
   perform(Action::help, editor, ui);
   frames(2);
-  EXPECT_EQ(ui.keyPanel, "") << "it was closed";
+  EXPECT_EQ(ui.keyFocus.window, "") << "it was closed";
 }
 
 TEST_F(KeyFocus, RestsWhileADialogAsks) {
@@ -84,18 +84,18 @@ TEST_F(KeyFocus, ShortcutsSleepUntilEsc) {
   EXPECT_EQ(editor.gizmoMode, before);
   EXPECT_TRUE(handleKey('Z', keys::control, editor, ui)) << "those with Ctrl go on";
   key(keys::escape);
-  EXPECT_EQ(ui.keyPanel, "");
+  EXPECT_EQ(ui.keyFocus.window, "");
   key('E');
   EXPECT_EQ(editor.gizmoMode, GizmoMode::rotate);
   key(keys::f6);
   click(ui.layout.view.x + 40, ui.layout.view.y + 60);
-  EXPECT_EQ(ui.keyPanel, "") << "a click is the mouse's";
+  EXPECT_EQ(ui.keyFocus.window, "") << "a click is the mouse's";
 }
 
 TEST_F(KeyFocus, EveryNumberOfAPropertyCanBeTyped) {
   const Level before = editor.session.level();
   for (int i = 0; i < 3; ++i) key(keys::f6);
-  ASSERT_EQ(ui.keyPanel, "properties");
+  ASSERT_EQ(ui.keyFocus.window, "properties");
   int changed = 0;
   for (int row = 0; row < 24; ++row) {
     key(keys::down);
@@ -117,7 +117,7 @@ TEST_F(KeyFocus, EveryNumberOfAPropertyCanBeTyped) {
 TEST_F(KeyFocus, AButtonIsPressedBySpace) {
   key(keys::f6);
   key(keys::f6);
-  ASSERT_EQ(ui.keyPanel, "lesson");
+  ASSERT_EQ(ui.keyFocus.window, "lesson");
   const std::size_t step = editor.lesson.step;
   for (int i = 0; i < 12 && editor.lesson.step == step; ++i) {
     for (const int way : {keys::down, keys::right}) {

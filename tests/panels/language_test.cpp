@@ -15,7 +15,8 @@
 
 #include "base/language.h"
 #include "edit/replacements.h"
-#include "panels/dialog.h"
+#include "level/json.h"
+#include "panels/dialogs.h"
 #include "panels/dutch.h"
 #include "panels/export_entries.h"
 #include "panels/file_browser.h"
@@ -171,7 +172,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   own.text = LevelText{"«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
-    openTab(editor, ui, static_cast<PropertyTab>(tab));
+    openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab));
     if (tab == static_cast<int>(PropertyTab::sculpture)) editor.point = PickedPoint{};
     look("tab " + std::to_string(tab));
   }
@@ -186,7 +187,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
     level.optic.shape() = mirrorOfKind(kind, level.optic.shape(), level.camera.eye);
     editor.session.edit(std::move(level));
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::mirror);
+    openTab(ui.tabs, editor.selection, PropertyTab::mirror);
     look("mirror " + std::to_string(kind));
   }
 }
@@ -199,20 +200,20 @@ TEST_F(DrawnText, OfProblemsIsTranslated) {
     level.camera.eye = middleOf(level.optic.shape());
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::eye);
+    openTab(ui.tabs, editor.selection, PropertyTab::eye);
     look(std::string(name) + ", the eye in the mirror");
     EXPECT_TRUE(hasSeen("There is no sculpture"));
     level = before;
     level.original.placement.position += Vector(0, 0, 40);
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::original);
+    openTab(ui.tabs, editor.selection, PropertyTab::original);
     look(std::string(name) + ", the original far away");
     level = before;
     level.original.placement.scale *= 2.5;
     editor.session.edit(level);
     editor.updater.finish(editor.session, {});
-    openTab(editor, ui, PropertyTab::sculpture);
+    openTab(ui.tabs, editor.selection, PropertyTab::sculpture);
     look(std::string(name) + ", the original too large");
   }
 }
@@ -237,11 +238,11 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   ui.render.running = true;
   look("rendering");
   ui.render.open = false;
-  ui.progressOpen = true;
+  ui.progress.open = true;
   look("progress");
-  ui.progressOpen = false;
-  for (ui.tourCard = 0; ui.tourCard < 5; ++ui.tourCard) look("tour " + std::to_string(ui.tourCard));
-  ui.tourCard = -1;
+  ui.progress.open = false;
+  for (ui.tour.card = 0; ui.tour.card < 5; ++ui.tour.card) look("tour " + std::to_string(ui.tour.card));
+  ui.tour.card = -1;
   ui.presenting = true;
   look("presenting");
 }
@@ -253,7 +254,7 @@ TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   for (const ExportEntry& entry : exportEntries()) purposes.push_back(entry.purpose);
   for (const FilePurpose& purpose : purposes) {
     ui.browser.root = folder;
-    browseFiles(ui, purpose, folder / "file.json");
+    browseFiles(ui.browser, purpose, folder / "file.json");
     frames(2);
     look(std::string("browser: ") + purpose.title);
   }
@@ -263,7 +264,7 @@ TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   look("unsaved");
   ui.unsaved.reset();
   frames(2);
-  ui.recoveries = {RecoveryEntry{}};
+  ui.recovery.entries = {RecoveryEntry{}};
   look("recovery");
 }
 

@@ -49,17 +49,17 @@ TEST_F(LessonPanelTest, ShowMeOpensTheTabPointsAndMoves) {
   openLesson();
   openStep(editor, 1);
   frames(2);
-  const int before = pointedCount();
+  const int before = ui.highlight.outlined;
   handleKey('M', 0, editor, ui);
   frames(3);
-  EXPECT_EQ(ui.tab, PropertyTab::sculpture);
-  EXPECT_GT(pointedCount(), before);
+  EXPECT_EQ(ui.tabs.open, PropertyTab::sculpture);
+  EXPECT_GT(ui.highlight.outlined, before);
   for (int i = 0; i < 100 && editor.lesson.play; ++i) frame(0.05);
   EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   frames(2);
   EXPECT_TRUE(editor.lesson.done);
   for (int i = 0; i < 100; ++i) frame(0.1);
-  EXPECT_TRUE(ui.highlight.empty()) << "it stops pointing after a while";
+  EXPECT_TRUE(ui.highlight.control.empty()) << "it stops pointing after a while";
 }
 
 TEST_F(LessonPanelTest, WhatShowMeDidIsOneStepBack) {
@@ -80,10 +80,10 @@ TEST_F(LessonPanelTest, WhatIsPointedAtIsOfTheOpenStepOnly) {
   frames(2);
   handleKey('M', 0, editor, ui);
   frames(3);
-  EXPECT_EQ(ui.highlight, "Depth scale k");
+  EXPECT_EQ(ui.highlight.control, "Depth scale k");
   handleKey(keys::right, keys::alt, editor, ui);
   frames(2);
-  EXPECT_EQ(ui.highlight, "");
+  EXPECT_EQ(ui.highlight.control, "");
 }
 
 TEST_F(LessonPanelTest, KeysStepAndThePresenterTakesArrows) {
@@ -108,21 +108,21 @@ TEST_F(LessonPanelTest, TheTourTakesTwentySecondsAndCanBeSkipped) {
   openLesson();
   perform(Action::tour, editor, ui);
   double seconds = 0;
-  for (; ui.tourCard >= 0 && seconds < 100; seconds += 0.1) frame(0.1);
+  for (; ui.tour.card >= 0 && seconds < 100; seconds += 0.1) frame(0.1);
   EXPECT_NEAR(seconds, 20, 1.5);
   EXPECT_TRUE(ui.preferences.tourSeen);
   perform(Action::tour, editor, ui);
   frames(2);
   handleKey(keys::escape, 0, editor, ui);
-  EXPECT_EQ(ui.tourCard, -1);
+  EXPECT_EQ(ui.tour.card, -1);
 }
 
 TEST_F(LessonPanelTest, TheTourLeavesOutWhatASmallWindowHasNot) {
   openLesson();
   ImGui::GetIO().DisplaySize = {320, 200};
   perform(Action::tour, editor, ui);
-  for (int i = 0; i < 200 && ui.tourCard >= 0; ++i) frame(0.1);
-  EXPECT_EQ(ui.tourCard, -1);
+  for (int i = 0; i < 200 && ui.tour.card >= 0; ++i) frame(0.1);
+  EXPECT_EQ(ui.tour.card, -1);
 }
 
 TEST_F(LessonPanelTest, ProgressIsForgottenOnlyWhenAskedTwice) {
@@ -130,14 +130,14 @@ TEST_F(LessonPanelTest, ProgressIsForgottenOnlyWhenAskedTwice) {
   nextStep(editor);
   perform(Action::progress, editor, ui);
   frames(3);
-  EXPECT_TRUE(ui.progressOpen);
+  EXPECT_TRUE(ui.progress.open);
   EXPECT_FALSE(editor.progress.empty());
-  ui.resetAsked = true;
+  ui.progress.resetAsked = true;
   frames(3);
   EXPECT_FALSE(editor.progress.empty());
   handleKey(keys::escape, 0, editor, ui);
   frames(2);
-  EXPECT_FALSE(ui.progressOpen || ui.resetAsked);
+  EXPECT_FALSE(ui.progress.open || ui.progress.resetAsked);
 }
 
 TEST_F(LessonPanelTest, EveryInstalledStepIsDrawnAtEveryScaleAndPointsAtAControlThatIsThere) {
@@ -154,10 +154,10 @@ TEST_F(LessonPanelTest, EveryInstalledStepIsDrawnAtEveryScaleAndPointsAtAControl
       setLook(Theme::dark, 1);
       const StepShow show = editor.lesson.open().show;
       if (show.widget.empty()) continue;
-      const int before = pointedCount();
+      const int before = ui.highlight.outlined;
       showStep(editor, ui);
       frames(3);
-      EXPECT_GT(pointedCount(), before) << show.widget;
+      EXPECT_GT(ui.highlight.outlined, before) << show.widget;
       finishPlay(editor);
       frames(2);
     }

@@ -13,6 +13,7 @@
 
 #include "edit/advance.h"
 #include "panels/actions.h"
+#include "panels/key_input.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -36,7 +37,7 @@ class PanelsTest : public ::testing::Test {
   ~PanelsTest() override { ImGui::DestroyContext(context_); }
 
   void setLook(Theme theme, double scale) {
-    ui.preferences.theme = theme;
+    ui.theme = ui.preferences.theme = theme;
     ui.scale = scale;
     applyStyle(theme, scale);
   }

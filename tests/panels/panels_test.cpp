@@ -96,9 +96,9 @@ TEST_P(EveryLevel, EveryTabOfEverySelectionInEveryStateIsDrawn) {
       frame();
       for (const PropertyTab tab : allTabs) {
         SCOPED_TRACE("part " + std::to_string(int(selection.part)) + ", tab " + std::to_string(int(tab)));
-        ui.tab = tab;
+        ui.tabs.open = tab;
         ASSERT_NO_THROW(frames(2));
-        EXPECT_EQ(ui.tab, tab);
+        EXPECT_EQ(ui.tabs.open, tab);
         EXPECT_EQ(editor.selection, selection);
       }
     }
@@ -110,7 +110,7 @@ TEST_P(EveryLevel, DrawingChangesNothing) {
   open(GetParam());
   const Level before = editor.session.level();
   for (const PropertyTab tab : allTabs) {
-    ui.tab = tab;
+    ui.tabs.open = tab;
     frames(4);
   }
   EXPECT_EQ(editor.session.level(), before);
@@ -130,7 +130,7 @@ TEST_P(EveryLevel, FitsIntoEveryWindow) {
           setLook(theme, scale);
           editor.preview.expanded = expanded;
           for (const PropertyTab tab : allTabs) {
-            ui.tab = tab;
+            ui.tabs.open = tab;
             ASSERT_NO_THROW(frame());
           }
           EXPECT_GE(editor.viewWidth, 1);
@@ -331,7 +331,7 @@ TEST_F(TypedNumber, StaysFiniteAndInItsRange) {
 
 // A slider jumps to where it is clicked; a second click at once types.
 TEST_F(NumberRow, ADoubleClickTypesIntoASlider) {
-  openTab(editor, ui, PropertyTab::eye);
+  openTab(ui.tabs, editor.selection, PropertyTab::eye);
   frames(2);
   const Rect& rect = ui.layout.properties;
   bool typed = false;
@@ -369,7 +369,7 @@ TEST_F(TypedNumber, IsAStepOfItsOwnBeforeADragOfTheGizmo) {
   frame();
   moveMouse(grip->x + 30, grip->y);
   frame();
-  ASSERT_EQ(ui.viewDrag, ViewDrag::gizmo);
+  ASSERT_EQ(ui.mouse.drag, ViewDrag::gizmo);
   EXPECT_NE(editor.session.level(), typed);
   handleKey(keys::escape, 0, editor, ui);
   EXPECT_EQ(editor.session.level(), typed) << "Esc takes back the drag, not the number";

@@ -6,10 +6,13 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "leaf_functions.h"
+#include "optics/shape_table.h"
 #include "random_scene.h"
 #include "raytrace/image.h"
 #include "raytrace/scene_hit.h"
@@ -71,6 +74,7 @@ struct Agreement {
 // ---- Shapes
 
 struct ShapeFunctions {
+  const char* name;
   testing::ShapeKind kind;
   float (*intersectShape)(vec3, vec3, vec4*, float);
   vec3 (*shapeNormal)(vec3, vec4*);
@@ -136,14 +140,23 @@ TEST_P(ShapeLeaf, ShinesAtItsBorder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, ShapeLeaf,
-    ::testing::Values(ShapeFunctions{testing::ShapeKind::plane, glsl::plane::intersectShape,
-                                     glsl::plane::shapeNormal, glsl::plane::borderDistance},
-                      ShapeFunctions{testing::ShapeKind::cylinder, glsl::cylinder::intersectShape,
-                                     glsl::cylinder::shapeNormal, glsl::cylinder::borderDistance},
-                      ShapeFunctions{testing::ShapeKind::sphere, glsl::sphere::intersectShape,
-                                     glsl::sphere::shapeNormal, glsl::sphere::borderDistance}));
+#define SHAPE_FUNCTIONS(name)                                                             \
+  ShapeFunctions {                                                                        \
+#name, testing::ShapeKind::name, glsl::name::intersectShape, glsl::name::shapeNormal, \
+        glsl::name::borderDistance                                                        \
+  }
+const ShapeFunctions allShapes[] = {SHAPE_FUNCTIONS(plane), SHAPE_FUNCTIONS(cylinder),
+                                    SHAPE_FUNCTIONS(sphere)};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ShapeLeaf, ::testing::ValuesIn(allShapes),
+                         [](const auto& shape) { return std::string(shape.param.name); });
+
+TEST(Leaf, EveryShapeIsCompared) {
+  std::set<std::string> compared, known;
+  for (const ShapeFunctions& shape : allShapes) compared.insert(shape.name);
+  for (const ShapeType& type : shapeTypes()) known.insert(type.name);
+  EXPECT_EQ(compared, known);
+}
 
 // ---- Triangles and boxes
 

@@ -202,9 +202,10 @@ TEST_F(CanvasParity, InsideOfACylinderRaysAreReflectedAgainAndAgain) {
   Level& level = finished.level;
   const CylinderMirror& tube = shapeAs<CylinderMirror>(level.optic.shape());
   const Vector axis = tube.top - tube.bottom;
-  level.camera.eye = tube.bottom + 0.9 * axis + 0.3 * tube.radius * perpendicular(glm::normalize(axis));
-  level.camera.target = tube.bottom + 0.2 * axis - 0.8 * tube.radius * perpendicular(glm::normalize(axis));
-  level.camera.fovDegrees = 60;
+  const Direction x = perpendicular(glm::normalize(axis)), y = glm::cross(glm::normalize(axis), x);
+  level.camera.eye = tube.bottom + 0.5 * axis + 0.5 * tube.radius * x;
+  level.camera.target = level.camera.eye + tube.radius * y;
+  level.camera.fovDegrees = 90;
   std::vector<Bitmap> pictures;
   for (const int depth : {0, 1, 2, 8}) {
     level.tracing.maxDepth = depth;
