@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "edit/live_updater.h"
-#include "panels/ui_state.h"
+#include "panels/look.h"
 
 namespace anamorph {
 

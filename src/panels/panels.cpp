@@ -95,7 +95,6 @@ void handleInput(Editor& editor, UiState& ui) {
                           ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size())});
   updateKeyFocus(ui.keyFocus, reachableWindows(ui), isDialogOpen(ui));
   advanceHighlight(ui.highlight, editor.lesson, static_cast<double>(ImGui::GetIO().DeltaTime));
-  const HighlightScope highlight(ui.highlight);
   handleView(editor, ui);
 }
 

@@ -11,7 +11,6 @@
 
 #include <imgui.h>
 
-#include "panels/highlight.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"

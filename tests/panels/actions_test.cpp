@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "edit/advance.h"
+#include "edit/level_files.h"
 #include "edit/orbit.h"
 #include "level/level_library.h"
 #include "panels/key_input.h"

@@ -6,6 +6,7 @@
 
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 
