@@ -66,9 +66,9 @@ bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
   }
   changed |= takeResults(session);
   const bool moved = !isSameScene(result_.level, session.level());
+  if (moved || !(result_.level.text == session.level().text)) restart();
   if (moved) {
     lastChange_ = Clock::now();
-    cancelled_ = false;
     if (session.changing() && !large()) {
       worker_.cancel();
       requested_.reset();
@@ -132,6 +132,7 @@ bool LiveUpdater::takeResults(const Session& session) {
   }
   if (const auto failure = worker_.takeFailure()) {
     result_.problem = *failure;
+    result_.refined = false;
     result_.complete = true;
     changed = true;
   }

@@ -94,8 +94,9 @@ void Evaluator::takePictures(LevelResult& result, int previewSize, int threads, 
   if (result.problem) return;  // there is nothing to compare
   const SharedMatch match =
       this->match(result, previewSize, previewMatch_, threads, partOf(progress, 0.9, 1));
-  result.previews.difference =
-      std::make_shared<const Image>(markDifferences(*result.previews.original, *match));
+  result.previews.difference = difference_.get({result.previews.original, match}, [](const DifferenceKey& key) {
+    return std::make_shared<const Image>(markDifferences(*key.original, *key.match));
+  });
 }
 
 std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int threads, const OnPart& onPart,

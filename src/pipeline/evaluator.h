@@ -64,6 +64,12 @@ class Evaluator {
   using SharedMatch = std::shared_ptr<const Match>;
   using SharedImage = std::shared_ptr<const Image>;
 
+  struct DifferenceKey {
+    SharedImage original;
+    SharedMatch match;
+    bool operator==(const DifferenceKey&) const = default;
+  };
+
   void makeSculptureOf(LevelResult& result, int threads, const Progress& progress);
   SharedMatch match(const LevelResult& result, int longerSide, Memo<MatchInput, SharedMatch>& memo, int threads,
                     const Progress& progress);
@@ -75,6 +81,7 @@ class Evaluator {
   Memo<DeformInput, PreparedSculpture> sculpture_;
   Memo<MatchInput, SharedMatch> match_, previewMatch_;
   Memo<PictureKey, SharedImage> reflection_, originalPicture_;
+  Memo<DifferenceKey, SharedImage> difference_;
 };
 
 /// Evaluator::deform, once. Nothing when cancelled. Does not throw for what a student can set up: then there is a

@@ -92,8 +92,9 @@ TEST(Mistakes, NeverNaN) {
       for (int bits = 1; bits < 8; ++bits) {
         const Mistakes mistakes{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
         const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, mistakes}, p);
-        EXPECT_TRUE(isFinite(ray.sculpture) && std::isfinite(ray.distance) &&
-                    std::isfinite(ray.legs.back().angleOutDegrees));
+        EXPECT_TRUE(isFinite(ray.sculpture) && std::isfinite(ray.distance));
+        for (const VertexLeg& leg : ray.legs)
+          EXPECT_TRUE(std::isfinite(leg.angleInDegrees) && std::isfinite(leg.angleOutDegrees));
       }
     }
   }

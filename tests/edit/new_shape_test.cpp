@@ -104,7 +104,7 @@ class NewShape : public ::testing::Test {
     level.optic.shape() = DiscMirror{{0, 0, 4}, {0, -1, 4}, 4};
     level.original.shape = BoxShape{{2, 1, 1}, 3};
     level.original.placement = {.position = {0, 2.5, 3}};
-    level.camera.eye = {0, -10, 5};
+    level.camera.eye = {0, -10, 7};
     level.camera.target = {0, 2.5, 3};
     return level;
   }
