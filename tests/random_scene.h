@@ -30,8 +30,9 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-enum class ShapeKind { plane, cylinder, sphere };
-constexpr ShapeKind allShapeKinds[] = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere};
+enum class ShapeKind { plane, cylinder, sphere, cone };
+constexpr ShapeKind allShapeKinds[] = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere,
+                                       ShapeKind::cone};
 
 struct RandomScene {
   Optic optic;
@@ -40,7 +41,7 @@ struct RandomScene {
   Direction normal;  ///< there, towards the eye
 };
 
-// A rotated quad, a tilted cylinder or a sphere, and an eye that sees the returned point of it from outside.
+// A rotated quad, a tilted cylinder or cone, or a sphere, and an eye that sees the returned point of it from outside.
 inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
   RandomScene scene;
   const Point centre = random.point(5);
@@ -57,6 +58,16 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
     scene.optic.shape() = CylinderMirror{centre, centre + height * frame.up, radius};
     scene.onMirror = centre + random.uniform(0.1, 0.9) * height * frame.up + radius * n;
     scene.normal = n;
+  } else if (kind == ShapeKind::cone) {
+    const double height = random.uniform(4, 12), wide = random.uniform(2, 4);
+    const double narrow = random.integer(0, 3) == 0 ? 0 : random.uniform(0.5, 2);  // one end may be a point
+    const bool upright = random.integer(0, 1) == 0;
+    const ConeMirror cone{centre, centre + height * frame.up, upright ? wide : narrow, upright ? narrow : wide};
+    scene.optic.shape() = cone;
+    const double away = random.uniform(0.1, 0.7), v = upright ? away : 1 - away;  // not at the point
+    const double radius = (1 - v) * cone.bottomRadius + v * cone.topRadius;
+    scene.onMirror = centre + v * height * frame.up + radius * n;
+    scene.normal = glm::normalize(n - (cone.topRadius - cone.bottomRadius) / height * frame.up);
   } else {
     const double radius = random.uniform(0.5, 4);
     scene.optic.shape() = SphereMirror{centre, radius};
@@ -65,7 +76,8 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
   }
   // Up to 70 degrees from the normal, not along it exactly.
   const double tilt = radians(random.uniform(1, 70)), turn = random.uniform(0, 2 * pi);
-  const Direction side = std::cos(turn) * frame.right + std::sin(turn) * frame.up;
+  const Frame around = kind == ShapeKind::cone ? makeFrame(scene.normal, frame.up) : frame;
+  const Direction side = std::cos(turn) * around.right + std::sin(turn) * around.up;
   scene.eye =
       scene.onMirror + random.uniform(2, 20) * (std::cos(tilt) * scene.normal + std::sin(tilt) * side);
   return scene;

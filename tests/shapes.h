@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "optics/cone.h"
 #include "optics/cylinder.h"
 #include "optics/plane.h"
 #include "optics/shape.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "optics/cone.h"
 #include "optics/cylinder.h"
 #include "optics/plane.h"
 #include "optics/sphere.h"
@@ -14,7 +15,7 @@ namespace {
 
 std::vector<ShapeType>& table() {
   static std::vector<ShapeType> types{shapeType<PlaneMirror>(), shapeType<CylinderMirror>(),
-                                      shapeType<SphereMirror>()};
+                                      shapeType<SphereMirror>(), shapeType<ConeMirror>()};
   return types;
 }
 

@@ -33,7 +33,7 @@ void forScenes(std::initializer_list<ShapeKind> kinds, const Body& body) {
   }
 }
 
-constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere};
+constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere, ShapeKind::cone};
 
 // The normal at a point of the mirror, computed here from the shape alone.
 Direction normalAt(const RandomScene& scene, const Point& q) {
@@ -44,6 +44,12 @@ Direction normalAt(const RandomScene& scene, const Point& q) {
   } else if (const auto* tube = scene.optic.shape().as<CylinderMirror>()) {
     const Vector axis = tube->top - tube->bottom, w = q - tube->bottom;
     n = glm::normalize(w - glm::dot(w, axis) / glm::dot(axis, axis) * axis);
+  } else if (const auto* cone = scene.optic.shape().as<ConeMirror>()) {
+    const Vector axis = cone->top - cone->bottom, w = q - cone->bottom;
+    const Direction out = glm::normalize(w - glm::dot(w, axis) / glm::dot(axis, axis) * axis);
+    // Perpendicular to the ruling through q, in the plane of the axis.
+    const Vector ruling = axis + (cone->topRadius - cone->bottomRadius) * out;
+    n = glm::normalize(out - glm::dot(out, ruling) / glm::dot(ruling, ruling) * ruling);
   } else {
     n = glm::normalize(q - shapeAs<SphereMirror>(scene.optic.shape()).centre);
   }
@@ -191,7 +197,7 @@ TEST(Facts, F7NoFoldOnConvexMirrors) {
 }
 
 TEST(Facts, F8HalvingAnEdgeQuartersItsError) {
-  for (const ShapeKind kind : {ShapeKind::cylinder, ShapeKind::sphere}) {
+  for (const ShapeKind kind : {ShapeKind::cylinder, ShapeKind::sphere, ShapeKind::cone}) {
     std::vector<double> ratios;
     for (unsigned seed = 0; seed < scenes; ++seed) {
       Random random(seed);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "edit/level_edits.h"
@@ -47,22 +48,28 @@ inline const std::vector<Selection>& allSelections() {
   return all;
 }
 
+/// The numbers of a shape.
+struct ShapeNumbers : ShapeFields {
+  void point(const FieldName&, Point& value) override { allPoints.push_back(value); }
+  void length(const FieldName&, double& value) override { allLengths.push_back(value); }
+  void points(const FieldName&, std::span<Point> values) override {
+    allPoints.insert(allPoints.end(), values.begin(), values.end());
+  }
+
+  std::vector<Point> allPoints;
+  std::vector<double> allLengths;
+};
+
 /// Whether every number that edits can change is finite and within what a level file can have.
 inline bool isSound(const Level& level) {
   bool sound = true;
   const auto point = [&](const Point& p) { sound &= isFinite(p) && glm::length(p) <= 2e6; };
   const auto size = [&](double s) { sound &= std::isfinite(s) && s >= 0; };
-  if (const auto* plane = level.optic.shape().as<PlaneMirror>()) {
-    for (const Point& corner : plane->corners) point(corner);
-  } else if (const auto* cylinder = level.optic.shape().as<CylinderMirror>()) {
-    point(cylinder->bottom);
-    point(cylinder->top);
-    size(cylinder->radius);
-  } else {
-    const auto& sphere = shapeAs<SphereMirror>(level.optic.shape());
-    point(sphere.centre);
-    size(sphere.radius);
-  }
+  ShapeNumbers numbers;
+  Shape shape = level.optic.shape();
+  visitFields(shape, numbers);
+  for (const Point& p : numbers.allPoints) point(p);
+  for (const double length : numbers.allLengths) size(length);
   point(level.camera.eye);
   point(level.camera.target);
   point(level.camera.up);
@@ -94,6 +101,13 @@ inline double differenceOf(const Level& a, const Level& b) {
     point(tube->bottom, other.bottom);
     point(tube->top, other.top);
     return std::max(difference, std::abs(tube->radius - other.radius));
+  }
+  if (const auto* cone = a.optic.shape().as<ConeMirror>()) {
+    const auto& other = shapeAs<ConeMirror>(b.optic.shape());
+    point(cone->bottom, other.bottom);
+    point(cone->top, other.top);
+    return std::max({difference, std::abs(cone->bottomRadius - other.bottomRadius),
+                     std::abs(cone->topRadius - other.topRadius)});
   }
   for (std::size_t i = 0; i < m.positions.size(); ++i) point(m.positions[i], n.positions[i]);
   return difference;

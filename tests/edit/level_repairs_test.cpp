@@ -42,6 +42,9 @@ TEST(EyeMovedOutside, PutsTheEyeARadiusBeforeTheMirror) {
       } else if (const auto* tube = level.optic.shape().as<CylinderMirror>()) {
         level.camera.eye = tube->bottom + (seed % 4 ? random.uniform(0, 0.9) * tube->radius : 0.0) *
                                               perpendicular(glm::normalize(tube->top - tube->bottom));
+      } else if (const auto* cone = level.optic.shape().as<ConeMirror>()) {
+        level.camera.eye = middleOf(*cone) + (seed % 4 ? random.uniform(0, 0.4) : 0.0) *
+                                                 (cone->bottomRadius + cone->topRadius) * perpendicular(cone->axis());
       } else {
         const auto& sphere = shapeAs<SphereMirror>(level.optic.shape());
         level.camera.eye =
@@ -50,7 +53,7 @@ TEST(EyeMovedOutside, PutsTheEyeARadiusBeforeTheMirror) {
       ASSERT_TRUE(findEyeProblem(level.optic.shape(), level.camera.eye));
       const Level repaired = eyeMovedOutside(level, box);
       EXPECT_FALSE(findEyeProblem(repaired.optic.shape(), repaired.camera.eye));
-      if (kind == ShapeKind::plane) continue;
+      if (kind == ShapeKind::plane || kind == ShapeKind::cone) continue;
       const double radius = kind == ShapeKind::sphere ? shapeAs<SphereMirror>(level.optic.shape()).radius
                                                       : shapeAs<CylinderMirror>(level.optic.shape()).radius;
       EXPECT_NEAR(distanceToSurface(repaired.optic.shape(), repaired.camera.eye), radius, 1e-6 * radius);

@@ -78,11 +78,13 @@ class RandomLevel {
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
   Shape mirror() {
-    switch (whole(0, 2)) {
+    switch (whole(0, 3)) {
       case 0:
         return PlaneMirror{{point(), point(), point(), point()}};
       case 1:
         return CylinderMirror{point(), point(), length()};
+      case 2:
+        return ConeMirror{point(), point(), coin() ? 0 : length(), length()};
       default:
         return SphereMirror{point(), length()};
     }

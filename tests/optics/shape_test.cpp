@@ -85,6 +85,9 @@ TEST(Shapes, TessellationLiesOnTheSurface) {
         const Direction axis = glm::normalize(tube->top - tube->bottom);
         const Vector w = p - tube->bottom;
         off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
+      } else if (const auto* cone = scene.optic.shape().as<ConeMirror>()) {
+        const double h = glm::dot(p - cone->bottom, cone->axis()), v = h / cone->height();
+        off = glm::length(p - cone->bottom - h * cone->axis()) - ((1 - v) * cone->bottomRadius + v * cone->topRadius);
       } else {
         const auto& sphere = shapeAs<SphereMirror>(scene.optic.shape());
         off = glm::length(p - sphere.centre) - sphere.radius;
@@ -121,6 +124,10 @@ TEST(MirrorProblems, BadShapesAreNamed) {
        "expected a convex quad with its corners in order around it"},
       {CylinderMirror{a, a, 1}, "expected a top that is not at the bottom, got a cylinder of height 0"},
       {CylinderMirror{a, d, 0}, "expected a radius > 0, got 0"},
+      {ConeMirror{a, a, 1, 2}, "expected a top that is not at the bottom, got a cone of height 0"},
+      {ConeMirror{a, d, 1, -2}, "expected a radius of 0 or more, got -2"},
+      {ConeMirror{a, d, std::nan(""), 1}, "expected a radius of 0 or more, got nan"},
+      {ConeMirror{a, d, 0, 0}, "expected a bottom or a top radius > 0, got a cone of width 0"},
       {SphereMirror{a, -4}, "expected a radius > 0, got -4"},
       {SphereMirror{a, std::nan("")}, "expected a radius > 0, got nan"},
   };
@@ -141,6 +148,8 @@ TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
       {SphereMirror{Point(0), 4}, {1, 0, 0}, "the eye is inside the sphere: it is 1 from the centre"},
       {SphereMirror{Point(0), 4}, {4, 0, 0}, "the eye is inside the sphere"},
       {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 5, 7}, "it is 5 from the axis and the radius is 10"},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 5, 8}, "it is 5 from the axis and the radius there is 6"},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 3, 12}, "the eye is inside the cone (continued"},
   };
   for (const auto& row : table) {
     const auto problem = findEyeProblem(row.shape, row.eye);

@@ -182,7 +182,7 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   editor.selection = {Part::light, 0};
   look("a light");
   EXPECT_TRUE(hasSeen("Intensity"));
-  for (std::size_t kind = 0; kind < 3; ++kind) {
+  for (std::size_t kind = 0; kind < shapeTypes().size(); ++kind) {
     Level level = editor.session.level();
     level.optic.shape() = mirrorOfKind(kind, level.optic.shape(), level.camera.eye);
     editor.session.edit(std::move(level));

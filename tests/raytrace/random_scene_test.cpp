@@ -66,7 +66,7 @@ class RandomScene {
   }
 
   Shape makeShape() {
-    switch (index(3)) {
+    switch (index(4)) {
       case 0: {
         const Point corner = point();
         const Vector a = point(), b = 0.5 * point();
@@ -74,6 +74,8 @@ class RandomScene {
       }
       case 1:
         return CylinderMirror{point(), point(), scale_ * number(0.05, 1)};
+      case 2:
+        return ConeMirror{point(), point(), scale_ * number(0, 1), scale_ * number(0.05, 1)};
       default:
         return SphereMirror{point(), scale_ * number(0.05, 1)};
     }

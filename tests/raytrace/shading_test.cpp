@@ -80,6 +80,10 @@ TEST(MirrorRim, IsSeenOnTheBorderAndEdgeOnOnly) {
   EXPECT_EQ(mirrorRim(cylinder, {1, 0, 5}, 0.5), 1);
   EXPECT_EQ(mirrorRim(cylinder, {1, 0, 1}, 0.5), 1);
   EXPECT_EQ(mirrorRim(cylinder, {1, 0, 3}, 0), 1);
+  const ConeMirror cone{{0, 0, 0}, {0, 0, 4}, 2, 0};
+  EXPECT_EQ(mirrorRim(cone, {2, 0, 0}, 0.5), 1);
+  EXPECT_EQ(mirrorRim(cone, {1, 0, 2}, 0.5), 0);
+  EXPECT_EQ(mirrorRim(cone, {0, 0, 4}, 0.5), 0) << "a point is no border";
   const SphereMirror sphere{{0, 0, 0}, 2};
   EXPECT_EQ(mirrorRim(sphere, {0, -2, 0}, 0.3), 0);
   EXPECT_EQ(mirrorRim(sphere, {0, -2, 0}, 0), 1);

@@ -41,6 +41,9 @@ namespace plane {
 namespace cylinder {
 #include "../shaders/shapes/cylinder.glsl"
 }
+namespace cone {
+#include "../shaders/shapes/cone.glsl"
+}
 namespace sphere {
 #include "../shaders/shapes/sphere.glsl"
 }
