@@ -62,7 +62,8 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
     const double height = random.uniform(4, 12), wide = random.uniform(2, 4);
     const double narrow = random.integer(0, 3) == 0 ? 0 : random.uniform(0.5, 2);  // one end may be a point
     const bool upright = random.integer(0, 1) == 0;
-    const ConeMirror cone{centre, centre + height * frame.up, upright ? wide : narrow, upright ? narrow : wide};
+    const ConeMirror cone{centre, centre + height * frame.up, upright ? wide : narrow,
+                          upright ? narrow : wide};
     scene.optic.shape() = cone;
     const double away = random.uniform(0.1, 0.7), v = upright ? away : 1 - away;  // not at the point
     const double radius = (1 - v) * cone.bottomRadius + v * cone.topRadius;

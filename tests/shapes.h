@@ -17,7 +17,8 @@ namespace anamorph {
 template <typename S>
 const S& shapeAs(const Shape& shape) {
   const S* concrete = shape.as<S>();
-  if (!concrete) throw std::runtime_error(std::string("expected a ") + S::name + ", got a " + shapeName(shape));
+  if (!concrete)
+    throw std::runtime_error(std::string("expected a ") + S::name + ", got a " + shapeName(shape));
   return *concrete;
 }
 

@@ -13,11 +13,11 @@ namespace anamorph {
 
 struct DeformInput {
   std::shared_ptr<const Mesh> original;  ///< in scene coordinates
-  VertexMap map;                       ///< with mistakes the original's own vertices are used
-  Camera camera;                       ///< at the map's eye; its image is what the tolerance is measured in
-  int imageSize = 512;                 ///< height of that image in pixels
-  double tolerancePixels = 0.25;       ///< 0: the original's own vertices
-  std::size_t maxTriangles = 2000000;  ///< refinement stops there
+  VertexMap map;                         ///< with mistakes the original's own vertices are used
+  Camera camera;                         ///< at the map's eye; its image is what the tolerance is measured in
+  int imageSize = 512;                   ///< height of that image in pixels
+  double tolerancePixels = 0.25;         ///< 0: the original's own vertices
+  std::size_t maxTriangles = 2000000;    ///< refinement stops there
 
   bool operator==(const DeformInput&) const = default;
 };

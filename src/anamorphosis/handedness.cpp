@@ -26,9 +26,7 @@ double orientation(const VertexMap& map, const PointArray& original, const Trian
     exit[i] = path.exit.origin;
     distance += map.depthScale * (1 - path.travelled) * length / 3;
   }
-  const auto edge = [&](std::size_t i) {
-    return exit[i] - exit[0] + distance * (onward[i] - onward[0]);
-  };
+  const auto edge = [&](std::size_t i) { return exit[i] - exit[0] + distance * (onward[i] - onward[0]); };
   const double spread = glm::dot(glm::cross(edge(1), edge(2)), onward[0] + onward[1] + onward[2]);
   const double atEye = glm::determinant(glm::dmat3(sent[0], sent[1], sent[2]));
   return spread > 0 ? atEye : spread < 0 ? -atEye : 0;
@@ -36,8 +34,8 @@ double orientation(const VertexMap& map, const PointArray& original, const Trian
 
 }  // namespace
 
-bool reversesHandedness(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
-                        const std::vector<PathStatus>& status) {
+bool reversesHandedness(const VertexMap& map, const PointArray& original,
+                        const std::vector<Triangle>& triangles, const std::vector<PathStatus>& status) {
   const auto mapped = [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return status[v] == PathStatus::mapped; });
   };

@@ -16,7 +16,7 @@
 namespace anamorph {
 
 /// By the majority of some of the triangles whose corners are all mapped; false when there are none.
-bool reversesHandedness(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
-                        const std::vector<PathStatus>& status);
+bool reversesHandedness(const VertexMap& map, const PointArray& original,
+                        const std::vector<Triangle>& triangles, const std::vector<PathStatus>& status);
 
 }  // namespace anamorph

@@ -17,13 +17,12 @@ void mapRange(const VertexMap& map, const PointArray& in, MappedPoints& out, std
     if (map.mistakes.any()) {
       plain.fill(0);  // the batch knows the right formulas only
     } else {
-      plainCount = exitPoints(map.optic,
-                              {map.eye,
-                               map.depthScale,
-                               {&in.x[first], &in.y[first], &in.z[first]},
-                               count,
-                               {&out.points.x[first], &out.points.y[first], &out.points.z[first]},
-                               plain.data()});
+      plainCount = exitPoints(map.optic, {map.eye,
+                                          map.depthScale,
+                                          {&in.x[first], &in.y[first], &in.z[first]},
+                                          count,
+                                          {&out.points.x[first], &out.points.y[first], &out.points.z[first]},
+                                          plain.data()});
     }
     std::memset(&out.status[first], static_cast<int>(PathStatus::mapped), count);
     if (plainCount == count) continue;
@@ -42,9 +41,8 @@ void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPo
   result.points.resize(original.size());
   result.status.resize(original.size());
   constexpr std::size_t grain = 64 * exitBlockSize;
-  parallelFor(original.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    mapRange(map, original, result, begin, end);
-  });
+  parallelFor(original.size(), grain, threads,
+              [&](std::size_t begin, std::size_t end) { mapRange(map, original, result, begin, end); });
 }
 
 StatusCounts countStatus(const std::vector<PathStatus>& status) {

@@ -21,7 +21,8 @@ struct MappedPoints {
 
 /// mapPoint for every vertex, in order; identical to it for every thread count. `result` is reused: no memory
 /// is taken when it has the right size already.
-void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPoints& result, int threads = 1);
+void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPoints& result,
+                      int threads = 1);
 
 StatusCounts countStatus(const std::vector<PathStatus>& status);
 

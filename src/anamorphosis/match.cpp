@@ -60,7 +60,9 @@ class Matcher {
       result.sameTriangle =
           touch(input_.original->positions, triangles[first.triangle], triangles[reflected->sourceTriangle]);
     } else if (seesOriginal) {
-      result.kind = !sight.meets ? PixelClass::missed : hidden ? PixelClass::hidden : PixelClass::onlyOriginal;
+      result.kind = !sight.meets ? PixelClass::missed
+                    : hidden     ? PixelClass::hidden
+                                 : PixelClass::onlyOriginal;
     } else if (reflected) {
       result.kind = PixelClass::onlyReflection;
     }

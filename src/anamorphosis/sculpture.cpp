@@ -30,8 +30,7 @@ Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   sculpture.status = std::move(mapped.status);
   sculpture.original = mesh.positions;
   sculpture.source.resize(mesh.positions.size());
-  const bool reversed =
-      reversesHandedness(input.map, mesh.positions, mesh.triangles, sculpture.status);
+  const bool reversed = reversesHandedness(input.map, mesh.positions, mesh.triangles, sculpture.status);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     sculpture.source[triangle[0]] = {t, 0, 0};

@@ -16,9 +16,9 @@ namespace anamorph {
 
 /// A leg of a vertex ray: from where it meets the optic on to the next meeting, or to the end.
 struct VertexLeg {
-  Point start{0};           ///< Q
-  Direction normal{0};      ///< N there, towards the incoming ray
-  Direction direction{0};   ///< R, unit
+  Point start{0};                                  ///< Q
+  Direction normal{0};                             ///< N there, towards the incoming ray
+  Direction direction{0};                          ///< R, unit
   double angleInDegrees = 0, angleOutDegrees = 0;  ///< of both rays with the normal
 };
 

@@ -142,10 +142,10 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
   headless.gui().open(level);
   headless.settle();
-  const LevelResult& products = headless.gui().editor().updater.result();
-  if (products.problem) throw Error(*products.problem, level.string());
-  const std::size_t vertices = products.sculpture.sculpture->mesh.positions.size();
-  const std::size_t triangles = products.sculpture.sculpture->mesh.triangles.size();
+  const LevelResult& result = headless.gui().editor().updater.result();
+  if (result.problem) throw Error(*result.problem, level.string());
+  const std::size_t vertices = result.sculpture.sculpture->mesh.positions.size();
+  const std::size_t triangles = result.sculpture.sculpture->mesh.triangles.size();
   const Recording eye = drag(headless, Part::eye, options.frames);
   const Recording original = drag(headless, Part::original, options.frames);
   if (common.json) {

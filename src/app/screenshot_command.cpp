@@ -50,9 +50,9 @@ GridCell parseCell(const std::string& text, const PixelGrid& grid) {
 }
 
 void pickVertex(Editor& editor, std::uint32_t vertex) {
-  const LevelResult& products = editor.updater.result();
-  if (!products.original.mesh) return;
-  const Mesh& mesh = *products.original.mesh;
+  const LevelResult& result = editor.updater.result();
+  if (!result.original.mesh) return;
+  const Mesh& mesh = *result.original.mesh;
   editor.point = pickedVertex(mesh, vertex);
   if (!editor.point) {
     throw UsageError(fmt::format("--select-vertex: expected one of the original's vertices, 0 to {}, got {}",

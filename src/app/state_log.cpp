@@ -47,9 +47,9 @@ std::string stateLine(Gui& gui, std::size_t frame) {
   const Editor& editor = gui.editor();
   const UiState& ui = gui.ui();
   const Level& level = editor.session.level();
-  const LevelResult& products = editor.updater.result();
+  const LevelResult& result = editor.updater.result();
   const double iou =
-      products.match ? products.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
+      result.match ? result.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   return compactJson(JsonObject()
                          .add("frame", frame)
@@ -67,10 +67,10 @@ std::string stateLine(Gui& gui, std::size_t frame) {
                                           ? listOf({double(editor.cell->column), double(editor.cell->row)})
                                           : JsonValue())
                          .add("pointPicked", editor.point.has_value())
-                         .add("problem", products.problem.value_or(""))
+                         .add("problem", result.problem.value_or(""))
                          .add("viewProblem", ui.viewProblem)
-                         .add("refined", products.refined)
-                         .add("complete", products.complete)
+                         .add("refined", result.refined)
+                         .add("complete", result.complete)
                          .add("iou", iou)
                          .add("unfinished", gui.unfinished())
                          .add("lookingThrough", editor.lookingThrough)

@@ -38,7 +38,8 @@ ShownRays::ShownRays(const Editor& editor) {
     trees_ = result.trees;
     tree_ = treeOf(editor);
   } else if (!editor.point) {  // the picked vertex has its construction
-    vertexRays_ = sampleVertexRays(makeVertexMap(result.level), *result.original.mesh, editor.rays.vertexCount);
+    vertexRays_ =
+        sampleVertexRays(makeVertexMap(result.level), *result.original.mesh, editor.rays.vertexCount);
   }
 }
 
@@ -80,8 +81,8 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
   std::vector<Line> lines;
   if (editor.display.rtCamera) {
     const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
-    append(lines, makeCameraLines(level.camera, level.grid, selected, editor.cell ? editor.cell : ui.hoveredCell,
-                                  editor.pose.eye));
+    append(lines, makeCameraLines(level.camera, level.grid, selected,
+                                  editor.cell ? editor.cell : ui.hoveredCell, editor.pose.eye));
   }
   // From the eye the canvas would lie over what is seen in it.
   if (!editor.lookingThrough)

@@ -6,8 +6,8 @@
 #include "cli/commands.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
-#include "pipeline/original.h"
 #include "pipeline/evaluator.h"
+#include "pipeline/original.h"
 
 namespace anamorph {
 namespace {

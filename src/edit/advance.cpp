@@ -13,8 +13,8 @@ void dropStaleSelection(Editor& editor) {
   const int lights = static_cast<int>(level.lights.size());
   const Selection& selected = editor.selection;
   if (selected.part == Part::light && (selected.index < 0 || selected.index >= lights)) editor.selection = {};
-  const bool inGrid = editor.cell && editor.cell->column < level.grid.columns &&
-                      editor.cell->row < level.grid.rows;
+  const bool inGrid =
+      editor.cell && editor.cell->column < level.grid.columns && editor.cell->row < level.grid.rows;
   if (!inGrid) editor.cell.reset();
   const auto& original = editor.updater.result().original.mesh;
   if (editor.point && original && !isOn(*original, *editor.point)) editor.point.reset();

@@ -45,8 +45,7 @@ Box grown(const Box& box) {
 }
 
 // The shortest way along `sight` after which the box is behind; negative when there is none.
-double wayBehind(const Shape& mirror, const Point& eye, const Direction& sight, const Box& box,
-                 double from) {
+double wayBehind(const Shape& mirror, const Point& eye, const Direction& sight, const Box& box, double from) {
   const auto behind = [&](double way) { return isBehind(mirror, eye, sight, movedBox(box, way * sight)); };
   double far = std::max(from, box.diagonal());
   for (int i = 0; !behind(far); ++i) {

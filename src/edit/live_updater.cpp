@@ -262,8 +262,7 @@ void LiveUpdater::followMatch(bool compare) {
   result_.previews.difference = nullptr;
   const auto& original = result_.previews.original;
   if (!original || original->width != width || original->height != height) return;
-  result_.previews.difference =
-      std::make_shared<const Image>(markDifferences(*original, *match));
+  result_.previews.difference = std::make_shared<const Image>(markDifferences(*original, *match));
 }
 
 std::shared_ptr<const RenderScene> LiveUpdater::reflectionScene() {

@@ -26,15 +26,19 @@ std::optional<Point> mirrorPoint(const VertexMap& map, const Point& original) {
 }
 
 // The mirror points are exit points of depth 0. `result` holds the sculpture and takes the points on their way.
-void morphRange(const Sculpture& sculpture, const VertexMap& map, double t, PointArray& result, std::size_t begin,
-                std::size_t end) {
+void morphRange(const Sculpture& sculpture, const VertexMap& map, double t, PointArray& result,
+                std::size_t begin, std::size_t end) {
   const PointArray& in = sculpture.original;
   std::array<std::int64_t, exitBlockSize> plain;
   std::array<double, exitBlockSize> qx, qy, qz;
   for (std::size_t first = begin; first < end; first += exitBlockSize) {
     const std::size_t count = std::min(exitBlockSize, end - first);
-    exitPoints(map.optic, {map.eye, 0, {&in.x[first], &in.y[first], &in.z[first]}, count,
-                           {qx.data(), qy.data(), qz.data()}, plain.data()});
+    exitPoints(map.optic, {map.eye,
+                           0,
+                           {&in.x[first], &in.y[first], &in.z[first]},
+                           count,
+                           {qx.data(), qy.data(), qz.data()},
+                           plain.data()});
     for (std::size_t i = 0; i < count; ++i) {
       if (sculpture.status[first + i] != PathStatus::mapped) continue;
       const Point p = in[first + i];
@@ -52,9 +56,8 @@ PointArray morphPoints(const Sculpture& sculpture, const VertexMap& map, double 
   PointArray result = sculpture.mesh.positions;
   if (t >= 1) return result;
   constexpr std::size_t grain = 16 * exitBlockSize;
-  parallelFor(result.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    morphRange(sculpture, map, t, result, begin, end);
-  });
+  parallelFor(result.size(), grain, threads,
+              [&](std::size_t begin, std::size_t end) { morphRange(sculpture, map, t, result, begin, end); });
   return result;
 }
 

@@ -11,7 +11,8 @@ namespace anamorph {
 class MorphStage {
  public:
   /// `share` as for morphPoints; 1 is the sculpture itself.
-  PreparedSculpture at(double fraction, const LevelScene& level, const PreparedSculpture& sculpture, int threads);
+  PreparedSculpture at(double fraction, const LevelScene& level, const PreparedSculpture& sculpture,
+                       int threads);
 
  private:
   struct Input {

@@ -143,8 +143,8 @@ Pick pick(const PickInput& input, const Pixel& pixel) {
 std::optional<GridHit> intersectGrid(const Camera& camera, const PixelGrid& grid, const Ray& ray) {
   const Projection image(camera, std::max(grid.columns, 1), std::max(grid.rows, 1));
   const Direction& forward = image.frame().forward;
-  const double t = glm::dot(camera.eye + grid.distance * forward - ray.origin, forward) /
-                   glm::dot(ray.direction, forward);
+  const double t =
+      glm::dot(camera.eye + grid.distance * forward - ray.origin, forward) / glm::dot(ray.direction, forward);
   if (!(t > 0) || !std::isfinite(t)) return std::nullopt;
   const auto pixel = image.pixelOf(ray.at(t));
   if (!pixel || !(pixel->x >= 0 && pixel->x < image.width() && pixel->y >= 0 && pixel->y < image.height())) {

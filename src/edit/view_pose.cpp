@@ -29,7 +29,8 @@ std::optional<Pixel> ViewProjection::pixelOf(const Point& point) const {
   const double depth = glm::dot(v, frame_.forward);
   if (!orthographic_ && !(depth > 0)) return std::nullopt;
   const double scale = 0.5 * height_ / (halfHeight_ * (orthographic_ ? 1 : depth));
-  return Pixel(0.5 * width_ + scale * glm::dot(v, frame_.right), 0.5 * height_ - scale * glm::dot(v, frame_.up));
+  return Pixel(0.5 * width_ + scale * glm::dot(v, frame_.right),
+               0.5 * height_ - scale * glm::dot(v, frame_.up));
 }
 
 double ViewProjection::unitsPerPixel(const Point& point) const {

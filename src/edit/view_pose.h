@@ -11,9 +11,9 @@ namespace anamorph {
 
 struct ViewPose {
   Point eye{16, -20, 13};
-  Point target{0, 0, 2};  ///< what it turns around, in the middle of the picture
-  Direction up{0, 0, 1};  ///< need not be perpendicular to the line of sight
-  double fovDegrees = 40;  ///< vertical
+  Point target{0, 0, 2};      ///< what it turns around, in the middle of the picture
+  Direction up{0, 0, 1};      ///< need not be perpendicular to the line of sight
+  double fovDegrees = 40;     ///< vertical
   bool orthographic = false;  ///< parallel rays; the picture is as large as at the target in perspective
 
   bool operator==(const ViewPose&) const = default;

@@ -152,7 +152,7 @@ std::string makeMatchPage(const LevelResult& finished, const MatchReport& report
                       title, tr("match"), tr(matchGradeName(gradeOf(report))), levelSentence(finished));
   page += figure(pictures.reflection, "Reflection",
                  isVisible(finished.level.optic) ? tr("what the eye sees in the mirror")
-                                                                : tr("what the eye sees of the sculpture"));
+                                                 : tr("what the eye sees of the sculpture"));
   page += figure(pictures.original, "Original", tr("the original alone, seen directly from the same eye"));
   page += figure(pictures.difference, "Difference", legend());
   page += "</div>\n" + figuresTable(report);

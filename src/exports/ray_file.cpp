@@ -37,8 +37,8 @@ class ObjLines {
 
 }  // namespace
 
-std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count,
-                                            double millimetresPerUnit, const Progress& progress) {
+std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count, double millimetresPerUnit,
+                                            const Progress& progress) {
   const Level& level = finished.level;
   const VertexMap map = makeVertexMap(level);
   const PointArray& vertices = finished.original.mesh->positions;

@@ -12,8 +12,8 @@ namespace anamorph {
 /// The vertex rays E - Q - S of `count` vertices of the original, evenly over its list (all, when it has
 /// fewer): one line through three points each, in millimetres. Those that are not mapped are left out and
 /// counted in the head. Nothing when cancelled.
-std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count,
-                                            double millimetresPerUnit, const Progress& progress = {});
+std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count, double millimetresPerUnit,
+                                            const Progress& progress = {});
 
 /// The ray trees of the RT camera's pixel grid, one ray through the middle of each cell: a line for every
 /// ray, in one object a kind. Nothing when cancelled.

@@ -26,7 +26,7 @@ struct SideView {
   std::vector<Loop> plate;  ///< with its posts
   Point2 eye{0};
   std::optional<std::vector<Point2>> ray;  ///< one from the eye by the mirror to the sculpture
-  std::vector<HeightLabel> labels;           ///< upper ones first
+  std::vector<HeightLabel> labels;         ///< upper ones first
   Rectangle box;
 };
 

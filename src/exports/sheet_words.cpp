@@ -52,7 +52,8 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
   if (scale < 1) paper = "Larger than life: set up by the figures, which are true lengths in mm.";
   steps.push_back({tr("Paper"), tr(paper), ink::black});
   if (arrangement.hasMirror) {
-    steps.push_back({tr("Mirror"), describeMirror(arrangement.mirror, mirror.min.z - arrangement.table), ink::blue});
+    steps.push_back(
+        {tr("Mirror"), describeMirror(arrangement.mirror, mirror.min.z - arrangement.table), ink::blue});
   } else {
     steps.push_back({tr("Canvas"),
                      tr("Only thought of: nothing stands there, the sculpture is seen directly."),

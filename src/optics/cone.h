@@ -89,9 +89,10 @@ struct ConeMirror {
     if (auto problem = findDistanceProblem(std::hypot(distance, form.along), widest())) return problem;
     if (distance > form.radiusAtEye + shapeTolerance * widest()) return std::nullopt;
     return fmt::format(
-        fmt::runtime(tr("the eye is inside the cone (continued beyond its ends): it is {:.3g} from the axis and "
-                        "the radius there is {:.3g}. From there no ray meets the outside of the mirror. Move "
-                        "the eye away from the axis, or make the radii smaller.")),
+        fmt::runtime(
+            tr("the eye is inside the cone (continued beyond its ends): it is {:.3g} from the axis and "
+               "the radius there is {:.3g}. From there no ray meets the outside of the mirror. Move "
+               "the eye away from the axis, or make the radii smaller.")),
         distance, form.radiusAtEye);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
@@ -164,8 +165,9 @@ struct ConeMirror {
   }
 
   ShapeWords words(LengthText text) const {
-    return {fmt::format(fmt::runtime(tr("A cone of {} mm diameter at its bottom, {} mm at its top, {} mm high. ")),
-                        text(2 * bottomRadius), text(2 * topRadius), text(height())),
+    return {fmt::format(
+                fmt::runtime(tr("A cone of {} mm diameter at its bottom, {} mm at its top, {} mm high. ")),
+                text(2 * bottomRadius), text(2 * topRadius), text(height())),
             stanceAlong(top - bottom)};
   }
 };

@@ -85,7 +85,8 @@ struct CylinderMirror {
     const Direction a = axis();
     const auto across = [&](const Vector& v) { return v - glm::dot(v, a) * a; };
     const Vector w = eye - bottom;
-    return bottom + glm::dot(w, a) * a + 2 * radius * wayOut(across(w), across(bottom - original), perpendicular(a));
+    return bottom + glm::dot(w, a) * a +
+           2 * radius * wayOut(across(w), across(bottom - original), perpendicular(a));
   }
 
   // ---- Its place

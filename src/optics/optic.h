@@ -117,7 +117,7 @@ struct LineOfSight {
   bool ends = false;   ///< it is bent away, and there is no way on: nothing is seen behind the optic
   std::array<Point, OpticPath::maxPoints> bends;  ///< between the eye and `last`, where it was bent
   int bendCount = 0;
-  Ray last;                  ///< on which things are seen
+  Ray last;                                                 ///< on which things are seen
   double length = std::numeric_limits<double>::infinity();  ///< of `last` until it meets the optic again
 };
 /// Where nothing bends light, things are seen along the ray itself, whether it meets the canvas or not.

@@ -22,14 +22,18 @@ namespace anamorph {
 struct PlaneMirror {
   static constexpr const char *name = "plane", *label = "Plane";
 
-  std::array<Point, 4> corners{Point(-1, 0, -1), Point(1, 0, -1), Point(1, 0, 1), Point(-1, 0, 1)};  ///< in order
+  std::array<Point, 4> corners{Point(-1, 0, -1), Point(1, 0, -1), Point(1, 0, 1),
+                               Point(-1, 0, 1)};  ///< in order
   bool operator==(const PlaneMirror&) const = default;
 
   /// Unit; undefined for a quad without area.
-  Direction normal() const { return glm::normalize(glm::cross(corners[2] - corners[0], corners[3] - corners[1])); }
+  Direction normal() const {
+    return glm::normalize(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
+  }
 
   void visitFields(ShapeFields& fields) {
-    fields.points({"corners", "Corner", "The four corners have to lie in one plane, in order around it."}, corners);
+    fields.points({"corners", "Corner", "The four corners have to lie in one plane, in order around it."},
+                  corners);
   }
 
   // ---- Rays
@@ -94,8 +98,8 @@ struct PlaneMirror {
     const Direction n = normal();
     const double gap = std::abs(glm::dot(v[1] - v[0], n));
     if (gap > shapeTolerance * size()) {
-      return fmt::format(fmt::runtime(tr("expected four corners in one plane, got one that is {:.3g} off it")),
-                         gap);
+      return fmt::format(
+          fmt::runtime(tr("expected four corners in one plane, got one that is {:.3g} off it")), gap);
     }
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector edge = v[(i + 1) % 4] - v[i], next = v[(i + 2) % 4] - v[(i + 1) % 4];
@@ -204,10 +208,11 @@ struct PlaneMirror {
     const auto side = [&](std::size_t i) { return text(glm::length(corners[(i + 1) % 4] - corners[i])); };
     const double lean = degrees(std::asin(std::min(1.0, std::abs(normal().z))));
     ShapeWords words{fmt::format(fmt::runtime(tr("Flat, {} x {} mm. ")), side(0), side(1)), {}};
-    words.stance = lean < 0.05
-                       ? tr("Upright on the blue line, its reflecting side towards the eye")
-                       : fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees from upright")),
-                                     lean);
+    words.stance =
+        lean < 0.05
+            ? tr("Upright on the blue line, its reflecting side towards the eye")
+            : fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees from upright")),
+                          lean);
     return words;
   }
 };

@@ -68,9 +68,9 @@ struct ShapeExtent {
 
 /// The lines by which a surface is drawn that light passes through: at even steps of its parameters u and v.
 struct SurfaceLines {
-  int stepsU = 8, stepsV = 8;             ///< intervals between lines of constant u, of constant v
-  bool closedU = false;                   ///< u = 1 is u = 0 again
-  int chordsU = 1, chordsV = 1;           ///< straight pieces of a line along u, along v
+  int stepsU = 8, stepsV = 8;            ///< intervals between lines of constant u, of constant v
+  bool closedU = false;                  ///< u = 1 is u = 0 again
+  int chordsU = 1, chordsV = 1;          ///< straight pieces of a line along u, along v
   std::vector<double> strongU, strongV;  ///< lines that are drawn strongly: borders
 };
 
@@ -289,7 +289,11 @@ class ShapeOf final : public AnyShape {
   Box box() const override { return shape_.box(); }
   Point middle() const override { return shape_.middle(); }
   Axes axes() const override { return shape_.axes(); }
-  bool isRound() const override { return requires { S::isRound; }; }
+  bool isRound() const override {
+    return requires {
+      S::isRound;
+    };
+  }
   ShapeExtent extent() const override { return shape_.extent(); }
   std::optional<double> circleFromAbove() const override {
     if constexpr (requires { shape_.circleFromAbove(); }) {

@@ -20,26 +20,26 @@ std::string percent(double fraction, int digits = 2) {
 
 }  // namespace
 
-MatchScore matchScore(const LevelResult& products) {
+MatchScore matchScore(const LevelResult& result) {
   MatchScore score;
-  if (products.problem) {
+  if (result.problem) {
     score.percent = "0 %";
     score.word = matchGradeName(MatchGrade::none);
     score.tone = MatchScore::Tone::bad;
-    score.help = *products.problem;
+    score.help = *result.problem;
     return score;
   }
-  if (!products.match) {
+  if (!result.match) {
     score.percent = "...";
     score.help = "It is being measured.";
     return score;
   }
-  const MatchReport& report = products.match->report;
+  const MatchReport& report = result.match->report;
   const MatchGrade grade = gradeOf(report);
   score.fraction = report.silhouetteIou;
   // While something moves the picture compared is coarse, and so is the figure.
-  score.percent = percent(report.silhouetteIou, products.refined ? 2 : 1);
-  score.word = products.refined ? matchGradeName(grade) : "live";
+  score.percent = percent(report.silhouetteIou, result.refined ? 2 : 1);
+  score.word = result.refined ? matchGradeName(grade) : "live";
   score.tone = grade == MatchGrade::none      ? MatchScore::Tone::bad
                : grade == MatchGrade::partial ? MatchScore::Tone::middling
                                               : MatchScore::Tone::good;

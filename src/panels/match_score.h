@@ -29,7 +29,7 @@ struct MatchScore {
   std::vector<MatchPart> parts;
 };
 
-MatchScore matchScore(const LevelResult& products);
+MatchScore matchScore(const LevelResult& result);
 /// "match 99.95 %  excellent", in the chosen language.
 std::string scoreText(const MatchScore& score);
 ImVec4 scoreColor(const MatchScore& score, Theme theme);

@@ -66,8 +66,8 @@ bool shapeRows(Editor& editor, UiState& ui, Level& level) {
     return true;
   }
   const bool changed = std::visit(ShapeRows{}, shape);
-  const LevelResult& products = editor.updater.result();
-  if (!products.original.mesh && products.problem) problemText(ui, *products.problem);  // it cannot be read
+  const LevelResult& result = editor.updater.result();
+  if (!result.original.mesh && result.problem) problemText(ui, *result.problem);  // it cannot be read
   if (wideButton(
           isFile ? "Another mesh..." : "A mesh from a file...",
           "OBJ, STL or PLY, fitted to where the original is now. It can be dropped on the window, too.")) {
@@ -77,9 +77,9 @@ bool shapeRows(Editor& editor, UiState& ui, Level& level) {
 }
 
 // How many of its vertices are not mapped, most frequent reason first.
-std::string missedText(const LevelResult& products) {
-  if (!products.sculpture.sculpture) return "";
-  const StatusCounts& counts = products.sculpture.sculpture->originalStatus;
+std::string missedText(const LevelResult& result) {
+  if (!result.sculpture.sculpture) return "";
+  const StatusCounts& counts = result.sculpture.sculpture->originalStatus;
   const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
   const auto worst = std::max_element(counts.begin() + 1, counts.end());
   if (*worst == 0) return "";

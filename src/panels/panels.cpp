@@ -77,7 +77,8 @@ void drawWindows(Editor& editor, UiState& ui) {
 // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back all of it:
 // the field itself would only write the digits that it had shown.
 void finishChange(Editor& editor, const UiState& ui) {
-  if (!editor.session.changing() || ui.mouse.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive()) return;
+  if (!editor.session.changing() || ui.mouse.gizmoDrag || editor.lesson.play || ImGui::IsAnyItemActive())
+    return;
   if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
     editor.session.cancelChange();
   } else {

@@ -57,9 +57,9 @@ bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
 }
 
 void resultRows(const Editor& editor) {
-  const LevelResult& products = editor.updater.result();
-  if (!products.sculpture.sculpture) return;
-  const Mesh& mesh = products.sculpture.sculpture->mesh;
+  const LevelResult& result = editor.updater.result();
+  if (!result.sculpture.sculpture) return;
+  const Mesh& mesh = result.sculpture.sculpture->mesh;
   const Box box = boundingBox(mesh.positions);
   if (!box.empty()) {
     const Vector size = box.size();
@@ -68,7 +68,7 @@ void resultRows(const Editor& editor) {
   }
   textRow("Mesh", fmt::format(fmt::runtime(tr("{} vertices, {} triangles")), mesh.positions.size(),
                               mesh.triangles.size()));
-  textRow("Vertices", shownStatus(products.sculpture.sculpture->originalStatus),
+  textRow("Vertices", shownStatus(result.sculpture.sculpture->originalStatus),
           "What became of the original's own vertices.");
 }
 

@@ -11,17 +11,17 @@
 namespace anamorph {
 namespace {
 
-std::string stateText(const LevelResult& products) {
-  if (products.problem) return tr("no sculpture");
-  if (!products.sculpture.sculpture) return tr("loading");
-  if (!products.refined) return tr("following, not refined");
-  return tr(products.complete ? "refined and matched" : "refined, matching");
+std::string stateText(const LevelResult& result) {
+  if (result.problem) return tr("no sculpture");
+  if (!result.sculpture.sculpture) return tr("loading");
+  if (!result.refined) return tr("following, not refined");
+  return tr(result.complete ? "refined and matched" : "refined, matching");
 }
 
-std::string figures(const UiState& ui, const LevelResult& products) {
+std::string figures(const UiState& ui, const LevelResult& result) {
   std::string text;
-  if (products.sculpture.sculpture) {
-    const Mesh& mesh = products.sculpture.sculpture->mesh;
+  if (result.sculpture.sculpture) {
+    const Mesh& mesh = result.sculpture.sculpture->mesh;
     text = fmt::format(fmt::runtime(tr("{} vertices  {} triangles")), mesh.positions.size(),
                        mesh.triangles.size());
   }
@@ -60,15 +60,15 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   const bool shown = beginPanel("status", rect, true, false);
   ImGui::PopStyleVar();
   if (!shown) return;
-  const LevelResult& products = editor.updater.result();
-  const std::string state = stateText(products);
+  const LevelResult& result = editor.updater.result();
+  const std::string state = stateText(result);
   ImGui::TextUnformatted(state.c_str());
-  if (editor.updater.busy() && !products.complete && !ui.headless) progress(editor, ui);
+  if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
   const std::string message = !editor.message.empty()      ? editor.message
-                              : !products.warnings.empty() ? products.warnings.front()
+                              : !result.warnings.empty() ? result.warnings.front()
                                                            : std::string();
-  const std::string right = figures(ui, products);
+  const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;
   if (!message.empty()) {

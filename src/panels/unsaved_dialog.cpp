@@ -15,7 +15,8 @@ namespace {
 std::string leftTitles(const Editor& editor) {
   std::string titles;
   for (const auto& [path, level] : editor.leftLevels) {
-    titles += (titles.empty() ? "" : ", ") + tr(level.text->title.empty() ? path.stem().string() : level.text->title);
+    titles += (titles.empty() ? "" : ", ") +
+              tr(level.text->title.empty() ? path.stem().string() : level.text->title);
   }
   return titles;
 }

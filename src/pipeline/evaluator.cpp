@@ -28,11 +28,12 @@ void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress
     result.sculpture = nothingOf({}, threads);
     return;
   }
-  result.sculpture = sculpture_.get(makeDeformInput(level, result.original.mesh), [&](const DeformInput& input) {
-    Sculpture sculpture = makeSculpture(input, threads, progress);
-    if (progress.cancelled()) throw Cancelled();
-    return prepareSculpture(std::move(sculpture), threads);
-  });
+  result.sculpture =
+      sculpture_.get(makeDeformInput(level, result.original.mesh), [&](const DeformInput& input) {
+        Sculpture sculpture = makeSculpture(input, threads, progress);
+        if (progress.cancelled()) throw Cancelled();
+        return prepareSculpture(std::move(sculpture), threads);
+      });
   const Sculpture& sculpture = *result.sculpture.sculpture;
   result.problem = findEmptiness(sculpture);
   if (!result.problem) {
@@ -94,13 +95,15 @@ void Evaluator::takePictures(LevelResult& result, int previewSize, int threads, 
   if (result.problem) return;  // there is nothing to compare
   const SharedMatch match =
       this->match(result, previewSize, previewMatch_, threads, partOf(progress, 0.9, 1));
-  result.previews.difference = difference_.get({result.previews.original, match}, [](const DifferenceKey& key) {
-    return std::make_shared<const Image>(markDifferences(*key.original, *key.match));
-  });
+  result.previews.difference =
+      difference_.get({result.previews.original, match}, [](const DifferenceKey& key) {
+        return std::make_shared<const Image>(markDifferences(*key.original, *key.match));
+      });
 }
 
-std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int threads, const OnPart& onPart,
-                                               const Progress& progress, const LevelResult& shown) {
+std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int threads,
+                                               const OnPart& onPart, const Progress& progress,
+                                               const LevelResult& shown) {
   LevelResult result;
   result.level = input.level;
   result.match = shown.match;

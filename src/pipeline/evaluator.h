@@ -71,8 +71,8 @@ class Evaluator {
   };
 
   void makeSculptureOf(LevelResult& result, int threads, const Progress& progress);
-  SharedMatch match(const LevelResult& result, int longerSide, Memo<MatchInput, SharedMatch>& memo, int threads,
-                    const Progress& progress);
+  SharedMatch match(const LevelResult& result, int longerSide, Memo<MatchInput, SharedMatch>& memo,
+                    int threads, const Progress& progress);
   void takePictures(LevelResult& result, int previewSize, int threads, const OnPart& onPart,
                     const Progress& progress);
 
@@ -86,7 +86,7 @@ class Evaluator {
 
 /// Evaluator::deform, once. Nothing when cancelled. Does not throw for what a student can set up: then there is a
 /// problem, and the sculpture is empty.
-std::optional<LevelResult> finishLevel(const Level& level, std::shared_ptr<const Mesh> original, int threads = 1,
-                                       const Progress& progress = {});
+std::optional<LevelResult> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
+                                       int threads = 1, const Progress& progress = {});
 
 }  // namespace anamorph

@@ -35,7 +35,6 @@ ViewPose sound(ViewPose pose) {
   return pose;
 }
 
-
 void packView(SceneBlock& block, const ViewportInput& input, const Point& origin, int width, int height,
               const Pixel& shift) {
   const ViewProjection view(sound(input.pose), width, height);

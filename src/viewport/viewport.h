@@ -1,4 +1,4 @@
-// The 3D view: everything of the level drawn by OpenGL into a picture of its own. It reads products and never
+// The 3D view: everything of the level drawn by OpenGL into a picture of its own. It reads the result and never
 // edits them.
 //
 // Meshes are rasterised; mirror, ground, sky and light markers are met analytically, pixel by pixel. Every

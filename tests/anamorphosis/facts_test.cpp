@@ -162,8 +162,10 @@ TEST(Facts, F6EqualAnglesAndEqualLengths) {
                     out = glm::normalize(ray.sculpture - ray.legs.back().start);
     const Direction n = normalAt(scene, ray.legs.back().start);
     EXPECT_NEAR(glm::dot(toEye, n), glm::dot(out, n), 1e-12);
-    EXPECT_NEAR(ray.legs.back().angleOutDegrees, degrees(std::acos(glm::dot(out, ray.legs.back().normal))), 1e-5);
-    const double through = glm::length(ray.legs.back().start - ray.eye) + glm::length(ray.sculpture - ray.legs.back().start);
+    EXPECT_NEAR(ray.legs.back().angleOutDegrees, degrees(std::acos(glm::dot(out, ray.legs.back().normal))),
+                1e-5);
+    const double through =
+        glm::length(ray.legs.back().start - ray.eye) + glm::length(ray.sculpture - ray.legs.back().start);
     EXPECT_NEAR(through, glm::length(p - ray.eye), 1e-12 * through);
   });
 }

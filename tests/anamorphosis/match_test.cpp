@@ -246,7 +246,8 @@ TEST(Match, WrongOrderOfDepthScoresWorse) {
 
 TEST(Match, SelfHiddenSculptureScoresWorse) {
   DeformInput deform = cylinderInput(box());
-  deform.map.eye = deform.camera.eye = {0, -12, 1};  // level with the object: the sculpture stands in its own light
+  deform.map.eye =
+      deform.camera.eye = {0, -12, 1};  // level with the object: the sculpture stands in its own light
   deform.map.depthScale = 1;
   const MatchReport report = reportOf(deform, makeSculpture(deform));
   EXPECT_GT(report.hiddenShare, 0.3);
@@ -284,7 +285,8 @@ TEST(Match, TheThesisFormulasScoreWorse) {
       Direction normal = ray.legs.back().normal;
       if (mistake == 2) normal = glm::normalize(ray.legs.back().start - 0.5 * (tube.bottom + tube.top));
       const Direction out = in - 2 * glm::dot(in, normal) * normal;
-      const double distance = mistake == 1 ? glm::length((p - deform.camera.eye) - ray.legs.back().start) : ray.distance;
+      const double distance =
+          mistake == 1 ? glm::length((p - deform.camera.eye) - ray.legs.back().start) : ray.distance;
       s.mesh.positions.set(i, ray.legs.back().start + distance * 0.4 * (mistake == 0 ? -out : out));
     }
     const MatchReport report = reportOf(deform, std::move(s));

@@ -50,10 +50,11 @@ TEST(Mistakes, TheDistanceTakesAPointFromADirection) {
 TEST(Mistakes, TheNormalComesFromTheMiddleAsOfASphere) {
   const VertexRay right = makeVertexRay({column, eye, 0.4, {}}, vertex);
   const VertexRay wrong = makeVertexRay({column, eye, 0.4, {.normal = true}}, vertex);
-  EXPECT_LT(glm::length(wrong.legs.back().normal - glm::normalize(right.legs.back().start - Point(0, 0, 5))), 1e-12);
+  EXPECT_LT(glm::length(wrong.legs.back().normal - glm::normalize(right.legs.back().start - Point(0, 0, 5))),
+            1e-12);
   EXPECT_GT(degrees(std::acos(glm::dot(wrong.legs.back().normal, right.legs.back().normal))), 1);
-  EXPECT_NEAR(glm::dot(wrong.legs.back().direction, wrong.legs.back().normal), -glm::dot(glm::normalize(vertex - eye), wrong.legs.back().normal),
-              1e-12);
+  EXPECT_NEAR(glm::dot(wrong.legs.back().direction, wrong.legs.back().normal),
+              -glm::dot(glm::normalize(vertex - eye), wrong.legs.back().normal), 1e-12);
 }
 
 TEST(Mistakes, TheNormalIsRightOnPlaneAndSphere) {
@@ -61,7 +62,8 @@ TEST(Mistakes, TheNormalIsRightOnPlaneAndSphere) {
     const Optic optic{OpticKind::mirror, shape};
     const Point p{0.1, 2, 0.2}, e{0.2, -4, 0.7};
     EXPECT_EQ(mapPoint({optic, e, 1, {.normal = true}}, p).status, PathStatus::mapped);
-    EXPECT_LT(glm::length(mapPoint({optic, e, 1, {.normal = true}}, p).point - mapPoint({optic, e, 1, {}}, p).point),
+    EXPECT_LT(glm::length(mapPoint({optic, e, 1, {.normal = true}}, p).point -
+                          mapPoint({optic, e, 1, {}}, p).point),
               1e-12);
   }
 }

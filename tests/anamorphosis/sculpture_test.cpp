@@ -46,7 +46,8 @@ void expectConsistent(const DeformInput& input, const Sculpture& s) {
   for (std::size_t i = 0; i < s.mesh.positions.size(); ++i) {
     ASSERT_TRUE(isFinite(s.mesh.positions[i]));
     if (s.status[i] != PathStatus::mapped) continue;
-    const MappedPoint mapped = mapPoint({input.map.optic, input.camera.eye, input.map.depthScale, {}}, s.original[i]);
+    const MappedPoint mapped =
+        mapPoint({input.map.optic, input.camera.eye, input.map.depthScale, {}}, s.original[i]);
     ASSERT_EQ(mapped.point, s.mesh.positions[i]) << "every vertex is mapped exactly, refined or not";
     ASSERT_LT(glm::length(sourcePoint(*input.original, s.source[i]) - s.original[i]), 1e-12 * size);
   }

@@ -79,8 +79,8 @@ TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
   editor().session.finishChange();
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
-  const LevelResult& products = editor().updater.result();
-  EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), products.sculpture.sculpture->mesh.triangles.size());
+  const LevelResult& result = editor().updater.result();
+  EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
 }
 
 TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {

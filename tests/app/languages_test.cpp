@@ -74,7 +74,8 @@ TEST(Dutch, HasEveryTextOfTheLevels) {
   for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
     const Level level = loadLevel(entry.path).level;
     const Lesson lesson = parseLesson(level.text->lesson, entry.name);
-    std::vector<std::string> shown{level.text->title, level.text->description, lesson.badge.title, lesson.badge.text};
+    std::vector<std::string> shown{level.text->title, level.text->description, lesson.badge.title,
+                                   lesson.badge.text};
     for (const LessonStep& step : lesson.steps) {
       shown.insert(shown.end(), {step.title, step.why, step.task, step.notice});
       // A step names its control, so that has a Dutch name too.

@@ -17,10 +17,9 @@ class RealWindowLessons : public WindowTest {
   void start(std::vector<std::string> arguments) {
     window.reset();
     arguments.insert(arguments.end(), {"--size", "1000x700", "--ui-scale", "1"});
-    window =
-        std::make_unique<VirtualWindow>(arguments, Environment{{"HOME", folder / ""},
-                                                               {"XDG_STATE_HOME", folder / "state"},
-                                                               {"XDG_CONFIG_HOME", folder / "config"}});
+    window = std::make_unique<VirtualWindow>(arguments, Environment{{"HOME", folder / ""},
+                                                                    {"XDG_STATE_HOME", folder / "state"},
+                                                                    {"XDG_CONFIG_HOME", folder / "config"}});
     ASSERT_TRUE(wait([](const State& s) { return s.is("complete"); })) << window->errorText();
     window->move(500, 690);
   }

@@ -62,7 +62,8 @@ void oneByOne(benchmark::State& state, int kind) {
   const Optic mirror = optic(kind);
   PointArray mapped(vertices);
   for (auto _ : state) {
-    for (std::size_t i = 0; i < vertices; ++i) mapped.set(i, mapPoint({mirror, eye, 0.4, {}}, original()[i]).point);
+    for (std::size_t i = 0; i < vertices; ++i)
+      mapped.set(i, mapPoint({mirror, eye, 0.4, {}}, original()[i]).point);
     benchmark::ClobberMemory();
   }
 }

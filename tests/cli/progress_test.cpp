@@ -14,7 +14,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(ProgressBar, ShowsOnATerminalForWhatTakesLongAndGoesAway) {
-  if (std::system("script -qec true /dev/null >/dev/null 2>&1") != 0) return cannotRunHere("no pseudo-terminal");
+  if (std::system("script -qec true /dev/null >/dev/null 2>&1") != 0)
+    return cannotRunHere("no pseudo-terminal");
   const TemporaryFolder folder;
   const std::string render = std::string(ANAMORPH_PROGRAM) +
                              " render 2-cylinder --size 450x450 --samples 4 --threads 1 -o " +

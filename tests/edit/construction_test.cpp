@@ -55,19 +55,23 @@ TEST(Construction, ShowsTheVertexRay) {
       EXPECT_EQ(*find(made, "S"), made.ray.sculpture);
       EXPECT_EQ(made.segments.size(), 4u);
       for (const ConstructionSegment& segment : made.segments) {
-        const bool touches = segment.from == made.ray.legs.back().start || segment.to == made.ray.legs.back().start;
+        const bool touches =
+            segment.from == made.ray.legs.back().start || segment.to == made.ray.legs.back().start;
         EXPECT_TRUE(touches) << "all meet in Q";
       }
       ASSERT_EQ(made.arcs.size(), 2u);
       for (const ConstructionArc& arc : made.arcs) {
-        const Vector first = arc.points.front() - made.ray.legs.back().start, last = arc.points.back() - made.ray.legs.back().start;
+        const Vector first = arc.points.front() - made.ray.legs.back().start,
+                     last = arc.points.back() - made.ray.legs.back().start;
         const double angle = std::acos(
             std::clamp(glm::dot(first, last) / (glm::length(first) * glm::length(last)), -1.0, 1.0));
         EXPECT_NEAR(degrees(angle), made.ray.legs.back().angleOutDegrees, 1e-4);
-        const Direction across = glm::normalize(glm::cross(made.ray.legs.back().normal, made.ray.legs.back().direction));
+        const Direction across =
+            glm::normalize(glm::cross(made.ray.legs.back().normal, made.ray.legs.back().direction));
         for (const Point& p : arc.points) {
           EXPECT_NEAR(glm::length(p - made.ray.legs.back().start), glm::length(first), 1e-9);
-          EXPECT_NEAR(glm::dot(p - made.ray.legs.back().start, across), 0, 1e-9) << "in the plane of incidence";
+          EXPECT_NEAR(glm::dot(p - made.ray.legs.back().start, across), 0, 1e-9)
+              << "in the plane of incidence";
         }
       }
       EXPECT_LT(glm::length(made.arcs[0].points.back() - made.arcs[1].points.front()), 1e-12)
@@ -80,7 +84,8 @@ TEST(Construction, HasTheNumbersOfTheLesson) {
   Level level;
   level.camera.eye = {0, -3, 0.5};
   level.sculpture.depthScale = 0.5;
-  const Construction made = makeConstruction(makeVertexMap(level), {4, 1, 0.5});  // the mirror is y = 0; tan = 1
+  const Construction made =
+      makeConstruction(makeVertexMap(level), {4, 1, 0.5});  // the mirror is y = 0; tan = 1
   ASSERT_EQ(made.ray.status, PathStatus::mapped);
   EXPECT_EQ(made.arcs[0].label.text, "α = 45.0°");
   ASSERT_EQ(made.distances.size(), 2u);
@@ -132,7 +137,8 @@ TEST(Construction, AbsurdLevelsStayFinite) {
   for (const Level& level : makeAbsurdLevels()) {
     Random random(1);
     for (int i = 0; i < 50; ++i) {
-      EXPECT_TRUE(allFinite(makeConstruction(makeVertexMap(level), i == 0 ? level.camera.eye : random.point(5))));
+      EXPECT_TRUE(
+          allFinite(makeConstruction(makeVertexMap(level), i == 0 ? level.camera.eye : random.point(5))));
     }
   }
 }

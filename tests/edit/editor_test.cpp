@@ -140,7 +140,8 @@ TEST(Editor, StaysWithTheRtCameraWhileThatMoves) {
   }
   editor.viewWidth = 300;  // and when the view is reshaped
   advance(editor, 0.016);
-  EXPECT_EQ(editor.pose, lookThroughPose(editor.session.level().camera, editor.session.level().grid, 300, 480));
+  EXPECT_EQ(editor.pose,
+            lookThroughPose(editor.session.level().camera, editor.session.level().grid, 300, 480));
   toggleLookThrough(editor);
   for (int i = 0; i < 3; ++i) {
     moveCamera();
@@ -326,11 +327,11 @@ TEST(Editor, ConstructionIsThatOfThePickedPointInTheLevelAsItIs) {
   EXPECT_FALSE(currentConstruction(editor)) << "nothing is there yet";
   finish(editor);
   for (int i = 0; i < 3; ++i) {
-    const LevelResult& products = editor.updater.result();
+    const LevelResult& result = editor.updater.result();
     const auto construction = currentConstruction(editor);
     ASSERT_TRUE(construction);
     const Level& level = editor.session.level();
-    const Point original = products.original.mesh->positions[products.original.mesh->triangles[3][1]];
+    const Point original = result.original.mesh->positions[result.original.mesh->triangles[3][1]];
     const VertexRay ray = makeVertexRay(makeVertexMap(level), original);
     EXPECT_EQ(construction->ray.original, original);
     EXPECT_EQ(construction->ray.sculpture, ray.sculpture);
@@ -356,9 +357,9 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
   openQuick(editor, "2-cylinder");
   EXPECT_EQ(shownSculpture(editor).sculpture, nullptr);
   finish(editor);
-  const LevelResult& products = editor.updater.result();
-  const Sculpture& whole = *products.sculpture.sculpture;
-  EXPECT_EQ(shownSculpture(editor), products.sculpture);
+  const LevelResult& result = editor.updater.result();
+  const Sculpture& whole = *result.sculpture.sculpture;
+  EXPECT_EQ(shownSculpture(editor), result.sculpture);
   editor.display.morph = 0;
   const PreparedSculpture start = shownSculpture(editor);
   EXPECT_EQ(start.sculpture->mesh.positions, whole.original);
@@ -368,8 +369,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
   for (const double fraction : {0.25, 0.5, 0.75}) {
     editor.display.morph = fraction;
     const PreparedSculpture on = shownSculpture(editor);
-    EXPECT_EQ(on.sculpture->mesh.positions,
-              morphPoints(whole, makeVertexMap(products.level), fraction));
+    EXPECT_EQ(on.sculpture->mesh.positions, morphPoints(whole, makeVertexMap(result.level), fraction));
     EXPECT_EQ(*on.prepared.normals,
               computeNormals(on.sculpture->mesh.positions, whole.mesh.triangles, *on.prepared.normalGroups));
     EXPECT_EQ(on.prepared.mesh.get(), &on.sculpture->mesh);
@@ -381,7 +381,7 @@ TEST(Editor, MorphGoesFromTheOriginalToTheSculpture) {
   }
   EXPECT_EQ(start.sculpture->mesh, copy) << "what is held stays";
   editor.display.morph = 1;
-  EXPECT_EQ(shownSculpture(editor), products.sculpture);
+  EXPECT_EQ(shownSculpture(editor), result.sculpture);
 }
 
 TEST(Editor, MorphFollowsADrag) {

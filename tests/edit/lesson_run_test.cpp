@@ -30,7 +30,9 @@ class LessonRunTest : public ::testing::Test {
     Level level;
     std::get<BoxShape>(level.original.shape).segments = 2;
     level.sculpture.tolerancePixels = 1;
-    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}"; });
+    level.text.edit([&](LevelText& text) {
+      text.lesson = R"({"id": "test", "badge": {"title": "B", "text": ""}, "steps": [)" + steps + "]}";
+    });
     folder_.save(level);
     openLevel(editor, folder_.path());
     editor.preview.size = 16;
@@ -110,8 +112,10 @@ TEST_F(LessonRunTest, IsThatOfTheLevelThatWasPasted) {
   open(step("first", R"([{"when": "movedEye"}])"));
   const std::string own = editor.session.level().text->lesson;
   change([&](Level& level) {
-    level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
-                   step("pasted", R"([{"when": "undone"}])") + "]}"; });
+    level.text.edit([&](LevelText& text) {
+      text.lesson = R"({"id": "other", "badge": {"title": "B", "text": ""}, "steps": [)" +
+                    step("pasted", R"([{"when": "undone"}])") + "]}";
+    });
   });
   EXPECT_EQ(editor.lesson.lesson.id, "other");
   editor.session.undo();

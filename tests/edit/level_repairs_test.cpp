@@ -22,8 +22,7 @@ Box boxOfOriginal(const Level& level) {
 // The sum over both ends of how far a point is from the surface does not matter; only the nearest is asked
 // for.
 double distanceToSurface(const Shape& shape, const Point& p) {
-  if (const auto* sphere = shape.as<SphereMirror>())
-    return glm::length(p - sphere->centre) - sphere->radius;
+  if (const auto* sphere = shape.as<SphereMirror>()) return glm::length(p - sphere->centre) - sphere->radius;
   const auto& tube = shapeAs<CylinderMirror>(shape);
   const Direction axis = glm::normalize(tube.top - tube.bottom);
   return glm::length(glm::cross(p - tube.bottom, axis)) - tube.radius;
@@ -44,7 +43,8 @@ TEST(EyeMovedOutside, PutsTheEyeARadiusBeforeTheMirror) {
                                               perpendicular(glm::normalize(tube->top - tube->bottom));
       } else if (const auto* cone = level.optic.shape().as<ConeMirror>()) {
         level.camera.eye = middleOf(*cone) + (seed % 4 ? random.uniform(0, 0.4) : 0.0) *
-                                                 (cone->bottomRadius + cone->topRadius) * perpendicular(cone->axis());
+                                                 (cone->bottomRadius + cone->topRadius) *
+                                                 perpendicular(cone->axis());
       } else {
         const auto& sphere = shapeAs<SphereMirror>(level.optic.shape());
         level.camera.eye =

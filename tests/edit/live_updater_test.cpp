@@ -53,56 +53,55 @@ bool waitUntil(const Condition& condition) {
 }
 
 /// Everything at rest is what the pipeline makes of the level when nothing has gone before.
-void expectEvaluated(const LevelResult& products, const Session& session, const UpdateOptions& options) {
+void expectEvaluated(const LevelResult& result, const Session& session, const UpdateOptions& options) {
   Evaluator evaluator;
   const LevelResult wanted = *evaluator.evaluate({session.level(), session.path(), options.previewSize}, 2);
-  EXPECT_EQ(products.level, session.level());
-  EXPECT_EQ(*products.shape, *wanted.shape);
-  EXPECT_EQ(*products.original.mesh, *wanted.original.mesh);
-  EXPECT_EQ(products.sculpture.sculpture->mesh, wanted.sculpture.sculpture->mesh);
-  EXPECT_EQ(products.problem, wanted.problem);
-  EXPECT_EQ(products.warnings, wanted.warnings);
-  ASSERT_EQ(products.match == nullptr, wanted.match == nullptr);
+  EXPECT_EQ(result.level, session.level());
+  EXPECT_EQ(*result.shape, *wanted.shape);
+  EXPECT_EQ(*result.original.mesh, *wanted.original.mesh);
+  EXPECT_EQ(result.sculpture.sculpture->mesh, wanted.sculpture.sculpture->mesh);
+  EXPECT_EQ(result.problem, wanted.problem);
+  EXPECT_EQ(result.warnings, wanted.warnings);
+  ASSERT_EQ(result.match == nullptr, wanted.match == nullptr);
   if (wanted.match) {
-    EXPECT_EQ(products.match->report.width, wanted.match->report.width);
-    EXPECT_EQ(products.match->report.silhouetteIou, wanted.match->report.silhouetteIou);
-    EXPECT_EQ(products.match->classes, wanted.match->classes);
+    EXPECT_EQ(result.match->report.width, wanted.match->report.width);
+    EXPECT_EQ(result.match->report.silhouetteIou, wanted.match->report.silhouetteIou);
+    EXPECT_EQ(result.match->classes, wanted.match->classes);
   }
-  EXPECT_EQ(*products.previews.reflection, *wanted.previews.reflection);
-  EXPECT_EQ(*products.previews.original, *wanted.previews.original);
-  ASSERT_EQ(products.previews.difference == nullptr, wanted.previews.difference == nullptr);
-  EXPECT_TRUE(!wanted.previews.difference || *products.previews.difference == *wanted.previews.difference);
-  EXPECT_TRUE(products.refined && products.complete);
+  EXPECT_EQ(*result.previews.reflection, *wanted.previews.reflection);
+  EXPECT_EQ(*result.previews.original, *wanted.previews.original);
+  ASSERT_EQ(result.previews.difference == nullptr, wanted.previews.difference == nullptr);
+  EXPECT_TRUE(!wanted.previews.difference || *result.previews.difference == *wanted.previews.difference);
+  EXPECT_TRUE(result.refined && result.complete);
   const PixelGrid& grid = session.level().grid;
-  ASSERT_TRUE(products.scene && products.screen);
-  EXPECT_EQ(products.scene->input, makeReflectionScene(session.level(), products.sculpture));
-  EXPECT_EQ(products.screen->width, grid.columns);
-  EXPECT_EQ(products.screen->height, grid.rows);
+  ASSERT_TRUE(result.scene && result.screen);
+  EXPECT_EQ(result.scene->input, makeReflectionScene(session.level(), result.sculpture));
+  EXPECT_EQ(result.screen->width, grid.columns);
+  EXPECT_EQ(result.screen->height, grid.rows);
 }
 
 /// What is shown in the frame of a change: all of it of the level as it is now.
-void expectFollowing(const LevelResult& products, const Level& level) {
-  EXPECT_EQ(products.level, level);
-  EXPECT_FALSE(products.refined || products.complete);
-  EXPECT_EQ(*products.original.mesh,
-            *placeOriginal(*products.shape, level.original.unitize, level.original.placement));
-  ASSERT_TRUE(products.previews.reflection && products.previews.original);
-  const int width = products.previews.reflection->width, height = products.previews.reflection->height;
+void expectFollowing(const LevelResult& result, const Level& level) {
+  EXPECT_EQ(result.level, level);
+  EXPECT_FALSE(result.refined || result.complete);
+  EXPECT_EQ(*result.original.mesh,
+            *placeOriginal(*result.shape, level.original.unitize, level.original.placement));
+  ASSERT_TRUE(result.previews.reflection && result.previews.original);
+  const int width = result.previews.reflection->width, height = result.previews.reflection->height;
   EXPECT_LE(std::max(width, height), 64) << "coarse";
   EXPECT_EQ(pictureSize(level.grid, std::max(width, height)), std::pair(width, height));
-  EXPECT_EQ(products.previews.original->width, width);
-  EXPECT_EQ(products.previews.original->height, height);
-  ASSERT_TRUE(products.scene && products.screen);
-  EXPECT_EQ(products.scene->input, makeReflectionScene(level, products.sculpture));
-  EXPECT_EQ(products.problem.has_value(), products.sculpture.sculpture->mesh.triangles.empty());
-  EXPECT_EQ(products.match == nullptr, products.problem.has_value());
-  EXPECT_EQ(products.previews.difference == nullptr, products.problem.has_value());
-  EXPECT_TRUE(!products.match || products.match->report.width == width);
-  const Sculpture& sculpture = *products.sculpture.sculpture;
+  EXPECT_EQ(result.previews.original->width, width);
+  EXPECT_EQ(result.previews.original->height, height);
+  ASSERT_TRUE(result.scene && result.screen);
+  EXPECT_EQ(result.scene->input, makeReflectionScene(level, result.sculpture));
+  EXPECT_EQ(result.problem.has_value(), result.sculpture.sculpture->mesh.triangles.empty());
+  EXPECT_EQ(result.match == nullptr, result.problem.has_value());
+  EXPECT_EQ(result.previews.difference == nullptr, result.problem.has_value());
+  EXPECT_TRUE(!result.match || result.match->report.width == width);
+  const Sculpture& sculpture = *result.sculpture.sculpture;
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < sculpture.original.size(); ++i) {
-    const MappedPoint mapped =
-        mapPoint(makeVertexMap(level), sculpture.original[i]);
+    const MappedPoint mapped = mapPoint(makeVertexMap(level), sculpture.original[i]);
     wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
   }
   EXPECT_EQ(wrong, 0u);
@@ -131,23 +130,23 @@ TEST(LiveUpdater, TreesAreTheRaysOfTheGridWhenAskedFor) {
   LiveUpdater updater({}, 2);
   const UpdateOptions withTrees{40, true};
   updater.finish(session, withTrees);
-  const LevelResult& products = updater.result();
-  ASSERT_TRUE(products.trees);
-  ASSERT_EQ(products.trees->size(), 15u);
+  const LevelResult& result = updater.result();
+  ASSERT_TRUE(result.trees);
+  ASSERT_EQ(result.trees->size(), 15u);
   const ImageRequest request = makeImageRequest(level, 5, 3, 1);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) {
-      const RayTree wanted = tracePath(*products.scene, level.camera, request, {x + 0.5, y + 0.5});
-      const RayTree& tree = (*products.trees)[static_cast<std::size_t>(5 * y + x)];
+      const RayTree wanted = tracePath(*result.scene, level.camera, request, {x + 0.5, y + 0.5});
+      const RayTree& tree = (*result.trees)[static_cast<std::size_t>(5 * y + x)];
       EXPECT_EQ(tree.color, wanted.color);
       EXPECT_EQ(tree.segments.size(), wanted.segments.size());
     }
   }
-  const auto before = products.trees;
+  const auto before = result.trees;
   updater.update(session, withTrees);
-  EXPECT_EQ(products.trees, before) << "kept";
+  EXPECT_EQ(result.trees, before) << "kept";
   EXPECT_TRUE(updater.update(session, quick));
-  EXPECT_EQ(products.trees, nullptr);
+  EXPECT_EQ(result.trees, nullptr);
 }
 
 TEST(LiveUpdater, SculptureFollowsInTheSameCallAndSettlesAfterTheDrag) {
@@ -188,10 +187,10 @@ TEST(LiveUpdater, OriginalsPictureIsTakenInTheFrameOnlyWhenWanted) {
     level.camera.eye.x += 0.1;
     session.change(level);
     updater.update(session, {40, false, wanted});
-    const LevelResult& products = updater.result();
-    EXPECT_TRUE(products.match && products.previews.reflection);
-    EXPECT_EQ(products.previews.original != nullptr, wanted) << "never the one of another level";
-    EXPECT_EQ(products.previews.difference != nullptr, wanted);
+    const LevelResult& result = updater.result();
+    EXPECT_TRUE(result.match && result.previews.reflection);
+    EXPECT_EQ(result.previews.original != nullptr, wanted) << "never the one of another level";
+    EXPECT_EQ(result.previews.difference != nullptr, wanted);
   }
   session.finishChange();
   updater.finish(session, reflectionOnly);
@@ -387,8 +386,7 @@ TEST(LiveUpdater, MeshFileThatFailsIsAProblemAndLaterRecovers) {
     session.edit(bad);
     updater.finish(session, quick);
     ASSERT_TRUE(updater.result().problem);
-    EXPECT_NE(updater.result().problem->find("nothing.obj"), std::string::npos)
-        << *updater.result().problem;
+    EXPECT_NE(updater.result().problem->find("nothing.obj"), std::string::npos) << *updater.result().problem;
     EXPECT_FALSE(updater.result().refined);
     session.undo();
     updater.finish(session, quick);
@@ -518,43 +516,43 @@ TEST(LiveUpdater, LargeOriginalsDoNotFollowInTheFrame) {
   LiveUpdater updater({}, 2);
   const UpdateOptions small{16, false};
   updater.finish(session, small);
-  const LevelResult& products = updater.result();
-  ASSERT_GT(products.shape->positions.size(), LiveUpdater::liveVertexLimit);
+  const LevelResult& result = updater.result();
+  ASSERT_GT(result.shape->positions.size(), LiveUpdater::liveVertexLimit);
   ASSERT_TRUE(waitUntil([&] { return !updater.busy(); }));
-  EXPECT_TRUE(products.refined && products.match);
-  const auto original = products.original.mesh;
-  const auto sculpture = products.sculpture.sculpture;
-  const auto match = products.match;
+  EXPECT_TRUE(result.refined && result.match);
+  const auto original = result.original.mesh;
+  const auto sculpture = result.sculpture.sculpture;
+  const auto match = result.match;
   for (int i = 0; i < 10; ++i) {
     level.original.placement.position.x += 0.01;
     session.change(level);
     EXPECT_TRUE(updater.update(session, small));
-    EXPECT_EQ(products.level, level);
-    EXPECT_FALSE(products.refined || products.complete);
+    EXPECT_EQ(result.level, level);
+    EXPECT_FALSE(result.refined || result.complete);
     EXPECT_TRUE(updater.busy());
     if (i > 0) continue;  // later on the worker may have delivered
-    EXPECT_EQ(products.original.mesh, original);
-    EXPECT_EQ(products.sculpture.sculpture, sculpture);
-    EXPECT_EQ(products.match, match);
+    EXPECT_EQ(result.original.mesh, original);
+    EXPECT_EQ(result.sculpture.sculpture, sculpture);
+    EXPECT_EQ(result.match, match);
     const LiveTimes& times = updater.liveTimes();
     EXPECT_EQ(times.original + times.sculpture + times.preview + times.match, 0);
   }
   // While the drag goes on, what the worker makes is shown though it is of a moment ago.
   ASSERT_TRUE(
-      updateUntil(updater, session, small, [&] { return products.sculpture.sculpture != sculpture; }));
+      updateUntil(updater, session, small, [&] { return result.sculpture.sculpture != sculpture; }));
   session.finishChange();
   updater.finish(session, small);
-  EXPECT_EQ(products.level, level);
-  EXPECT_EQ(*products.original.mesh, *placeOriginal(*products.shape, false, level.original.placement));
+  EXPECT_EQ(result.level, level);
+  EXPECT_EQ(*result.original.mesh, *placeOriginal(*result.shape, false, level.original.placement));
 
   std::get<BoxShape>(level.original.shape).segments = 4;
   session.edit(level);
   updater.finish(session, small);
-  expectEvaluated(products, session, small);
+  expectEvaluated(result, session, small);
   level.camera.eye.x += 0.1;
   session.change(level);
   updater.update(session, small);
-  expectFollowing(products, level);
+  expectFollowing(result, level);
 }
 
 }  // namespace

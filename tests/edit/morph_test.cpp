@@ -48,11 +48,12 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
           continue;
         }
         ++mapped;
-        const VertexRay ray =
-            makeVertexRay(makeVertexMap(level), sculpture.original[i]);
-        const double in = ray.distance, out = glm::length(ray.sculpture - ray.legs.back().start), gone = t * (in + out);
-        const Point wanted = gone < in ? ray.original + gone * glm::normalize(ray.legs.back().start - ray.original)
-                                       : ray.legs.back().start + (gone - in) * ray.legs.back().direction;
+        const VertexRay ray = makeVertexRay(makeVertexMap(level), sculpture.original[i]);
+        const double in = ray.distance, out = glm::length(ray.sculpture - ray.legs.back().start),
+                     gone = t * (in + out);
+        const Point wanted = gone < in
+                                 ? ray.original + gone * glm::normalize(ray.legs.back().start - ray.original)
+                                 : ray.legs.back().start + (gone - in) * ray.legs.back().direction;
         EXPECT_LT(glm::length(points[i] - wanted), 1e-9 * (1 + in + out));
       }
     }

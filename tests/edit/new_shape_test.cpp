@@ -28,8 +28,8 @@
 namespace anamorph {
 namespace {
 
-using testing::Random;
 using ::testing::HasSubstr;
+using testing::Random;
 
 struct DiscMirror {
   static constexpr const char *name = "disc", *label = "Disc";
@@ -123,7 +123,8 @@ TEST_F(NewShape, IsOffered) {
 TEST_F(NewShape, GoesThroughLevelFiles) {
   const Level level = discLevel();
   const std::string text = formatLevel(level);
-  EXPECT_THAT(text, HasSubstr(R"("shape": {"type": "disc", "centre": [0, 0, 4], "tip": [0, -1, 4], "radius": 4})"));
+  EXPECT_THAT(text,
+              HasSubstr(R"("shape": {"type": "disc", "centre": [0, 0, 4], "tip": [0, -1, 4], "radius": 4})"));
   const LoadedLevel loaded = parseLevel(text, "disc.json");
   EXPECT_EQ(loaded.level, level);
   EXPECT_TRUE(loaded.warnings.empty());
@@ -195,7 +196,8 @@ TEST_F(NewShape, IsEdited) {
   }
   Level flat = level;
   flat.optic.shape() = DiscMirror{{0, 0, 4}, {0, -1, 4}, 0};
-  EXPECT_THAT(findProblem(flat, {{0, 0, 0}, {1, 1, 1}}).value_or(""), HasSubstr("the disc mirror cannot be used"));
+  EXPECT_THAT(findProblem(flat, {{0, 0, 0}, {1, 1, 1}}).value_or(""),
+              HasSubstr("the disc mirror cannot be used"));
 }
 
 TEST_F(NewShape, IsOnTheSheet) {

@@ -112,8 +112,7 @@ TEST(Pick, FindsTheCellsOfThePixelGrid) {
     level.grid.distance = random.uniform(0.5, 2);
     level.camera.fovDegrees = random.uniform(20, 120);
     Made made(level);
-    const GridCell cell{random.integer(0, level.grid.columns - 1),
-                        random.integer(0, level.grid.rows - 1)};
+    const GridCell cell{random.integer(0, level.grid.columns - 1), random.integer(0, level.grid.rows - 1)};
     const Projection grid(level.camera, level.grid.columns, level.grid.rows);
     const Ray ray = grid.rayThrough({cell.column + 0.5, cell.row + 0.5});
     const Point middle = ray.at(level.grid.distance / glm::dot(ray.direction, grid.frame().forward));
@@ -134,8 +133,9 @@ TEST(Pick, FindsTheCellsOfThePixelGrid) {
 TEST(Pick, TheTopRowIsZero) {
   Level level;
   const Projection grid(level.camera, 8, 8);
-  const auto hit = intersectGrid(
-      level.camera, level.grid, {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
+  const auto hit =
+      intersectGrid(level.camera, level.grid,
+                    {level.camera.eye, glm::normalize(grid.frame().forward + 0.39 * grid.frame().up)});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->cell.row, 0);
 }

@@ -7,8 +7,8 @@
 #include "edit/edit_levels.h"
 #include "geometry/shapes.h"
 #include "level/level_json.h"
-#include "pipeline/original.h"
 #include "optics/shape_table.h"
+#include "pipeline/original.h"
 #include "shapes.h"
 
 namespace anamorph {

@@ -321,7 +321,8 @@ TEST(KilledSave, LeavesOneOfTheCompleteVersions) {
   const TemporaryFolder folder;
   const std::string path = folder / "level.json";
   Level versions[2] = {numbered(1), numbered(2)};
-  versions[1].text.edit([](LevelText& text) { text.description = std::string(200000, 'x'); });  // more than one write
+  versions[1].text.edit(
+      [](LevelText& text) { text.description = std::string(200000, 'x'); });  // more than one write
   saveLevel(path, versions[0]);
   int seen[2] = {0, 0};
   for (int round = 0; round < 60; ++round) {

@@ -64,13 +64,13 @@ TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
       const double depthScale = random.uniform(0.1, 3);
       PointArray points(targets.size());
       std::array<std::int64_t, exitBlockSize> plain;
-      const std::size_t plainCount = exitPoints(
-          scene.optic, {scene.eye,
-                        depthScale,
-                        {targets.x.data(), targets.y.data(), targets.z.data()},
-                        targets.size(),
-                        {points.x.data(), points.y.data(), points.z.data()},
-                        plain.data()});
+      const std::size_t plainCount =
+          exitPoints(scene.optic, {scene.eye,
+                                   depthScale,
+                                   {targets.x.data(), targets.y.data(), targets.z.data()},
+                                   targets.size(),
+                                   {points.x.data(), points.y.data(), points.z.data()},
+                                   plain.data()});
       all += targets.size();
       allPlain += plainCount;
       EXPECT_EQ(std::count(plain.begin(), plain.begin() + 100, 1), static_cast<long>(plainCount));

@@ -87,7 +87,8 @@ TEST(Shapes, TessellationLiesOnTheSurface) {
         off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
       } else if (const auto* cone = scene.optic.shape().as<ConeMirror>()) {
         const double h = glm::dot(p - cone->bottom, cone->axis()), v = h / cone->height();
-        off = glm::length(p - cone->bottom - h * cone->axis()) - ((1 - v) * cone->bottomRadius + v * cone->topRadius);
+        off = glm::length(p - cone->bottom - h * cone->axis()) -
+              ((1 - v) * cone->bottomRadius + v * cone->topRadius);
       } else {
         const auto& sphere = shapeAs<SphereMirror>(scene.optic.shape());
         off = glm::length(p - sphere.centre) - sphere.radius;
@@ -148,7 +149,9 @@ TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
       {SphereMirror{Point(0), 4}, {1, 0, 0}, "the eye is inside the sphere: it is 1 from the centre"},
       {SphereMirror{Point(0), 4}, {4, 0, 0}, "the eye is inside the sphere"},
       {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 5, 7}, "it is 5 from the axis and the radius is 10"},
-      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 5, 8}, "it is 5 from the axis and the radius there is 6"},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5},
+       {0, 5, 8},
+       "it is 5 from the axis and the radius there is 6"},
       {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 3, 12}, "the eye is inside the cone (continued"},
   };
   for (const auto& row : table) {

@@ -16,13 +16,13 @@
 #include "base/language.h"
 #include "edit/replacements.h"
 #include "level/json.h"
+#include "optics/shape_table.h"
 #include "panels/dialogs.h"
 #include "panels/dutch.h"
 #include "panels/export_entries.h"
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
 #include "pipeline/stages.h"
-#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {
@@ -169,7 +169,8 @@ TEST_F(DrawnText, OfThePropertiesIsTranslated) {
   editor.rays.lightRays = true;
   editor.preview.expanded = false;
   Level own = editor.session.level();
-  own.text = LevelText{"«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
+  own.text = LevelText{
+      "«its author's words»", "«its author's words»", own.text->lesson, {}};  // which are edited as they are
   editor.session.edit(std::move(own));
   for (int tab = 0; tab < 7; ++tab) {
     openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab));

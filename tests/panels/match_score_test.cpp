@@ -12,10 +12,10 @@ LevelResult measured(double iou, bool refined = true) {
   match->report.silhouetteIou = iou;
   match->report.comparedPixels = 100;
   match->report.triangleAgreement = iou > 0.9 ? 1 : 0;
-  LevelResult products;
-  products.match = match;
-  products.refined = refined;
-  return products;
+  LevelResult result;
+  result.match = match;
+  result.refined = refined;
+  return result;
 }
 
 TEST(MatchScore, IsUnknownBeforeItIsMeasured) {
@@ -26,14 +26,14 @@ TEST(MatchScore, IsUnknownBeforeItIsMeasured) {
 }
 
 TEST(MatchScore, OfAProblemIsNothingAndSaysWhy) {
-  LevelResult products = measured(1);
-  products.problem = "the eye is inside the sphere.";
-  const MatchScore score = matchScore(products);
+  LevelResult result = measured(1);
+  result.problem = "the eye is inside the sphere.";
+  const MatchScore score = matchScore(result);
   EXPECT_EQ(score.fraction, 0);
   EXPECT_EQ(score.percent, "0 %");
   EXPECT_EQ(score.word, "none");
   EXPECT_EQ(score.tone, MatchScore::Tone::bad);
-  EXPECT_EQ(score.help, *products.problem);
+  EXPECT_EQ(score.help, *result.problem);
 }
 
 TEST(MatchScore, IsNeverRoundedUpToPerfect) {
@@ -56,11 +56,11 @@ TEST(MatchScore, GradesInWordAndColour) {
 }
 
 TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
-  LevelResult products = measured(1);
-  auto match = std::make_shared<Match>(*products.match);
+  LevelResult result = measured(1);
+  auto match = std::make_shared<Match>(*result.match);
   match->report.hiddenShare = 0.2;
-  products.match = match;
-  const MatchScore score = matchScore(products);
+  result.match = match;
+  const MatchScore score = matchScore(result);
   ASSERT_EQ(score.parts.size(), 4u);
   EXPECT_TRUE(score.parts[0].good && score.parts[1].good && score.parts[3].good);
   EXPECT_FALSE(score.parts[2].good);

@@ -63,16 +63,14 @@ void expectMapped(const PreparedSculpture& live, const Level& level, const Mesh&
     const Point p = (1 - source.u - source.v) * original.positions[a] + source.u * original.positions[b] +
                     source.v * original.positions[c];
     misplaced += !(glm::length(sculpture.original[i] - p) <= 1e-12 * (1 + glm::length(p)));
-    const MappedPoint mapped =
-        mapPoint(makeVertexMap(level), sculpture.original[i]);
+    const MappedPoint mapped = mapPoint(makeVertexMap(level), sculpture.original[i]);
     wrong += sculpture.mesh.positions[i] != mapped.point || sculpture.status[i] != mapped.status;
   }
   EXPECT_EQ(misplaced, 0u);
   EXPECT_EQ(wrong, 0u);
   StatusCounts counts{};
   for (std::size_t i = 0; i < original.positions.size(); ++i) {
-    const auto mapped =
-        mapPoint(makeVertexMap(level), original.positions[i]);
+    const auto mapped = mapPoint(makeVertexMap(level), original.positions[i]);
     ++counts[static_cast<std::size_t>(mapped.status)];
   }
   EXPECT_EQ(sculpture.originalStatus, counts);
@@ -279,7 +277,8 @@ TEST(LiveSculpture, PartsOfAResultKeepTheWholeBuffer) {
   Level level = quickLevels()[0];
   const PreparedMesh original = prepareMesh(placedOriginal(level));
   LiveSculpture live(original, settledSculpture(level, original));
-  const auto mesh = live.follow(makeVertexMap(level), original.mesh, 1).prepared.mesh;  // all the rest is let go
+  const auto mesh =
+      live.follow(makeVertexMap(level), original.mesh, 1).prepared.mesh;  // all the rest is let go
   const Mesh copy = *mesh;
   level.camera.eye.x += 1;
   level.sculpture.depthScale = 0.5;

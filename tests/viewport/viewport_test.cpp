@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "geometry/shapes.h"
-#include "viewport/viewport_fixture.h"
 #include "shapes.h"
+#include "viewport/viewport_fixture.h"
 
 namespace anamorph::test {
 namespace {
