@@ -7,11 +7,26 @@
 
 #include "optics/cone.h"
 #include "optics/cylinder.h"
+#include "optics/optic.h"
 #include "optics/plane.h"
 #include "optics/shape.h"
 #include "optics/sphere.h"
 
 namespace anamorph {
+
+/// Two parallel mirrors: what comes from before the lower one leaves the upper one in the same direction.
+///
+///             / -->        the upper one, 5 above the lower one, at the origin; both are 2 x 2 and lean by 45 degrees
+///         --> /
+inline Optic makePeriscope() {
+  const Vector x(1, 0, 0), up = glm::normalize(Vector(0, 1, 1));
+  Optic optic;
+  optic.parts.clear();
+  for (const Point& c : {Point(0, 0, 0), Point(0, 0, 5)}) {
+    optic.parts.push_back({OpticKind::mirror, PlaneMirror{{c - x - up, c + x - up, c + x + up, c - x + up}}});
+  }
+  return optic;
+}
 
 /// The shape as an S. Throws when it is another.
 template <typename S>

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "math/quadratic.h"
-#include "optics/shape.h"
+#include "optics/shape_helpers.h"
 
 namespace anamorph {
 

@@ -15,7 +15,7 @@
 
 #include "base/language.h"
 #include "optics/conical_form.h"
-#include "optics/shape.h"
+#include "optics/shape_helpers.h"
 
 namespace anamorph {
 

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
-#include "optics/shape.h"
+#include "optics/shape_helpers.h"
 
 namespace anamorph {
 

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "base/check.h"
-#include "base/language.h"
 
 namespace anamorph {
 namespace {
@@ -118,61 +115,6 @@ Shape continued(const Shape& shape) {
   const auto copy = shape.any_->copy();
   copy->carryOn();
   return Shape(copy);
-}
-
-Direction facing(const Direction& normal, const Vector& ray) {
-  return glm::dot(normal, ray) > 0 ? -normal : normal;
-}
-
-// The eye's own way unless it leads to the original's side.
-Direction wayOut(const Vector& outwards, const Vector& fromOriginal, const Direction& otherwise) {
-  const auto usable = [](const Vector& v) { return isFinite(v) && glm::length(v) > 1e-9; };
-  if (usable(outwards) && !(usable(fromOriginal) && glm::dot(outwards, fromOriginal) < 0)) {
-    return glm::normalize(outwards);
-  }
-  return usable(fromOriginal) ? glm::normalize(fromOriginal) : otherwise;
-}
-
-Axes axesAlong(const Direction& a) {
-  if (a.z < -1 + 1e-12) return {Direction(1, 0, 0), Direction(0, -1, 0), Direction(0, 0, -1)};
-  const double f = 1 / (1 + a.z);
-  const Direction x = glm::normalize(Vector(1 - f * a.x * a.x, -f * a.x * a.y, -a.x));
-  return {x, glm::cross(a, x), a};
-}
-
-std::optional<std::string> findRadiusProblem(double radius) {
-  if (radius > 0) return std::nullopt;
-  return fmt::format(fmt::runtime(tr("expected a radius > 0, got {}")), radius);
-}
-
-std::optional<std::string> findDistanceProblem(double distance, double radius) {
-  if (!(distance > radius * farthestEye)) return std::nullopt;
-  return fmt::format(
-      fmt::runtime(tr("the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could "
-                      "be seen in it. Make the radius larger, or move the eye nearer.")),
-      radius, distance);
-}
-
-Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB) {
-  const Vector axis = axesAlong(glm::normalize(b - a))[2];
-  const Vector reach = glm::sqrt(glm::max(1.0 - axis * axis, Vector(0)));
-  const Vector sound = isFinite(reach) ? reach : Vector(1);
-  Box box;
-  for (const auto& [centre, radius] : {std::pair{a, radiusA}, {b, radiusB}}) {
-    box.extend(centre - radius * sound);
-    box.extend(centre + radius * sound);
-  }
-  return box;
-}
-
-bool isUpright(const Vector& axis) {
-  return std::hypot(axis.x, axis.y) < 1e-6 * glm::length(axis);
-}
-
-std::string stanceAlong(const Vector& axis) {
-  const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
-  if (lean < 0.05) return tr("Upright on the blue circle");
-  return fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees")), lean);
 }
 
 }  // namespace anamorph

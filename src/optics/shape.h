@@ -227,24 +227,6 @@ Shape mapShape(const Shape& shape, const ShapeMap& map);
 /// Grown a little beyond its outline and far beyond its ends.
 Shape continued(const Shape& shape);
 
-/// For the words of problems: of the mirror's size, flatter or nearer than this counts as nothing.
-constexpr double shapeTolerance = 1e-6;
-/// In radii: from farther away too few digits are left to say where on a round mirror a ray arrives.
-constexpr double farthestEye = 1e6;
-
-/// Helpers of the shapes: the side of a normal that faces a ray; the way out of a round mirror; the scene's axes
-/// turned by the shortest way that brings z to `axis`; what is wrong with a radius, or with an eye far from one; how
-/// a thing with this axis stands.
-Direction facing(const Direction& normal, const Vector& ray);
-Direction wayOut(const Vector& outwards, const Vector& fromOriginal, const Direction& otherwise);
-Axes axesAlong(const Direction& axis);
-std::optional<std::string> findRadiusProblem(double radius);
-std::string stanceAlong(const Vector& axis);
-/// The box of two discs that face each other; whether a thing with this axis stands upright.
-Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB);
-bool isUpright(const Vector& axis);
-std::optional<std::string> findDistanceProblem(double distance, double radius);
-
 // ---- From a concrete shape to a Shape. The compiler asks for what is missing; `requires` tells what need not be.
 
 template <typename S>

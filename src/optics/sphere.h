@@ -16,7 +16,7 @@
 
 #include "base/language.h"
 #include "math/quadratic.h"
-#include "optics/shape.h"
+#include "optics/shape_helpers.h"
 
 namespace anamorph {
 

@@ -18,6 +18,7 @@
 #include "exports/sheet_words.h"
 #include "exports/viewing_sheet.h"
 #include "level/level_json.h"
+#include "optics/shape_helpers.h"
 #include "optics/shape_table.h"
 #include "pipeline/evaluator.h"
 #include "pipeline/original.h"

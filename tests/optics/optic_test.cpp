@@ -25,6 +25,11 @@ TEST(Reflect, KeepsLengthAndIgnoresTheNormalsSide) {
   }
 }
 
+// Of a path with two points: how far the first is, in lengths of the ray sent.
+double firstTravelled(const OpticPath& path, const Ray& ray) {
+  return glm::length(path.points[0] - ray.origin) / glm::length(ray.direction);
+}
+
 TEST(FollowRay, TravelledCountsInLengthsOfTheRaySent) {
   const Optic sphere{OpticKind::mirror, SphereMirror{Point(0), 1}};
   const OpticPath path = followRay(sphere, {{0, -3, 0}, {0, 4, 0}});
@@ -33,6 +38,33 @@ TEST(FollowRay, TravelledCountsInLengthsOfTheRaySent) {
   EXPECT_EQ(path.points[0], Point(0, -1, 0));
   EXPECT_DOUBLE_EQ(path.sine, 1);
   EXPECT_EQ(path.exit.direction, Vector(0, -4, 0));
+}
+
+TEST(FollowRay, GoesThroughThePartsInTheirOrder) {
+  Optic periscope = makePeriscope();
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Ray ray{Point(0, -5, 0) + random.point(0.2), Vector(0, 3, 0) + random.point(0.05)};
+    const OpticPath path = followRay(periscope, ray);
+    ASSERT_EQ(path.pointCount, 2);
+    EXPECT_TRUE(path.bends);
+    EXPECT_LT(glm::length(path.exit.direction - ray.direction), 1e-12) << "as a shift would have it";
+    EXPECT_EQ(path.exit.origin, path.points[1]);
+    EXPECT_LT(glm::length(path.points[0] + path.onward[0] * (path.travelled - firstTravelled(path, ray)) -
+                          path.points[1]),
+              1e-12);
+    EXPECT_EQ(statusOf(periscope, path, 100), PathStatus::mapped);
+  }
+  std::swap(periscope.parts[0], periscope.parts[1]);
+  EXPECT_EQ(followRay(periscope, {{0, -5, 0}, {0, 3, 0}}).pointCount, 0) << "they come in another order";
+}
+
+TEST(FollowRay, WhatStandsInTheWayIsNoWayThrough) {
+  Optic periscope = makePeriscope();
+  periscope.parts.push_back({OpticKind::mirror, SphereMirror{{0, 0, 2.5}, 0.5}});
+  EXPECT_EQ(followRay(periscope, {{0, -5, 0}, {0, 3, 0}}).pointCount, 0);
+  EXPECT_EQ(statusOf(periscope, followRay(periscope, {{0, -5, 0}, {0, 3, 0}}), 1), PathStatus::missesMirror);
 }
 
 TEST(StatusOf, NamesWhatBecomesOfARay) {

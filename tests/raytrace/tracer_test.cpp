@@ -129,6 +129,23 @@ TEST(TraceColor, APlaneMirrorShowsTheMirroredScene) {
   EXPECT_LE(different, seen / 500) << "only at edges of objects and shadows";
 }
 
+TEST(TraceColor, LooksThroughAPeriscopeAsOverTheEdge) {
+  SceneInput direct;
+  direct.surfaces.push_back(makeSurface("box", makeCuboid({-1, 6, 4}, {1, 8, 6}), paint));
+  direct.lights.push_back({{3, -2, 9}, {1, 0.9, 0.8}, 0.8});
+  SceneInput bent = direct;
+  bent.optic = OpticSurface{makePeriscope(), Color(1), 1};
+  const RenderScene scene = buildScene(bent), reference = buildScene(direct);
+  int seen = 0;
+  for (double x = -0.5; x <= 0.5; x += 0.1) {
+    const Ray ray{{x, -5, 0}, {0, 1, 0}}, over{{x, 0.5, 5}, {0, 1, 0}};
+    const Color wanted = traceColor(reference, over, {});
+    EXPECT_LT(glm::length(traceColor(scene, ray, {}) - wanted), 1e-4) << x;
+    seen += glm::length(wanted) > 0.01;
+  }
+  EXPECT_GT(seen, 5);
+}
+
 TEST(TraceColor, DepthLimitsTheReflectionsInARow) {
   // Inside a mirror sphere a ray never ends.
   SceneInput input;
