@@ -231,6 +231,34 @@ TEST(Architecture, OnlyOpticsNamesAMirrorShape) {
   }
 }
 
+// The same for their files and names: #include "optics/cylinder.h", "cylinder", shaders/shapes/cylinder.glsl.
+TEST(Architecture, OnlyOpticsKnowsTheNamesOfShapes) {
+  Names shapes;
+  for (const auto& entry : fs::directory_iterator(sourceFolder / "shaders/shapes")) {
+    const std::string name = entry.path().stem().string();
+    if (name != "none") shapes.insert(name);
+  }
+  EXPECT_GE(shapes.size(), 3u);
+  const Names allowed{"src/level/level.h", "src/level/scene_file.cpp",
+                      "src/panels/figures.cpp"};  // whose drawings have names
+  const std::regex comment("//[^\n]*");
+  for (const char* folder : {"src", "shaders"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(sourceFolder / folder)) {
+      const std::string file = entry.path().lexically_relative(sourceFolder).generic_string();
+      const bool home = file.starts_with("src/optics/") || file.starts_with("shaders/shapes/");
+      if (!entry.is_regular_file() || home || allowed.count(file) != 0) continue;
+      const std::string code = std::regex_replace(textOf(entry.path()), comment, "");
+      for (const std::string& shape : shapes) {
+        EXPECT_EQ(code.find("optics/" + shape + ".h"), std::string::npos) << file;
+        EXPECT_EQ(code.find("shapes/" + shape + ".glsl"), std::string::npos) << file;
+        const bool alsoAnOriginal = shape == "sphere";
+        EXPECT_TRUE(alsoAnOriginal || code.find('"' + shape + '"') == std::string::npos)
+            << file << ": " << shape;
+      }
+    }
+  }
+}
+
 TEST(Architecture, TestsAreSkippedByOneFunction) {
   const fs::path tests = sourceFolder / "tests";
   const std::regex skip(R"(\bGTEST_SKIP\(\)(.*))");

@@ -5,12 +5,18 @@
 namespace anamorph {
 namespace {
 
+std::size_t lastOf(const OpticPath& path) {
+  return static_cast<std::size_t>(path.pointCount - 1);
+}
+
 // The normal as it would be if the mirror were a sphere about its middle; only for those that the published
 // program took for one.
 Direction publishedNormal(const Optic& optic, const OpticPath& path) {
-  const auto normal = optic.shape()->sphereNormal(path.points[0]);
-  if (!normal) return path.normals[0];
-  return glm::dot(*normal, path.normals[0]) < 0 ? -*normal : *normal;
+  const Point& point = path.points[lastOf(path)];
+  const Direction& exact = path.normals[lastOf(path)];
+  const auto normal = optic.parts.back().shape->publishedNormal(point);
+  if (!normal) return exact;
+  return glm::dot(*normal, exact) < 0 ? -*normal : *normal;
 }
 
 // Whether the formulas can be used at all. That the ray then goes through the mirror is one of their faults.
@@ -30,11 +36,12 @@ MappedPoint mapPublished(const VertexMap& map, const OpticPath& path, const Poin
 }  // namespace
 
 PublishedRay followPublished(const VertexMap& map, const OpticPath& path, const Point& original) {
-  const Vector towards = original - map.eye;
-  const Point mirror = path.points[0];
+  const std::size_t last = lastOf(path);
+  const Vector towards = original - map.eye, incoming = last > 0 ? path.onward[last - 1] : towards;
+  const Point mirror = path.points[last];
   PublishedRay ray;
-  ray.normal = map.mistakes.normal ? publishedNormal(map.optic, path) : path.normals[0];
-  ray.reflected = glm::normalize(reflect(map.mistakes.direction ? -towards : towards, ray.normal));
+  ray.normal = map.mistakes.normal ? publishedNormal(map.optic, path) : path.normals[last];
+  ray.reflected = glm::normalize(reflect(map.mistakes.direction ? -incoming : incoming, ray.normal));
   ray.distance = glm::length(map.mistakes.distance ? towards - mirror : original - mirror);
   ray.sculpture = mirror + map.depthScale * ray.distance * ray.reflected;
   return ray;

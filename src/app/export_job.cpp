@@ -46,34 +46,31 @@ void ExportJob::update(Editor& editor, UiState& ui) {
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {
-  LevelResult finished;
-  finished.level = result.level;
-  finished.original = result.original;
-  finished.sculpture = result.sculpture;
-  worker_.request([task, finished, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
-    const int threads = hardwareThreads();
-    Outcome outcome;
-    if (task == Task::check) {
-      const auto check = checkSculpture(finished, request.millimetresPerUnit, threads, progress);
-      if (!check) return;
-      const auto problems = findPrintProblems(*check, countNotMapped(finished));
-      const auto hints = findPrintHints(*check);
-      outcome.message = tr(!problems.empty() ? "A printer would stumble over this:"
-                           : !hints.empty()  ? "It is closed and sound, but mind this:"
-                                             : "It can be printed.");
-      outcome.lines = problems;
-      outcome.lines.insert(outcome.lines.end(), hints.begin(), hints.end());
-      outcome.rows = printCheckRows(*check);
-    } else {
-      const auto summary = exportLevel(finished, request, threads, progress);
-      if (!summary) return;
-      outcome.message =
-          fmt::format(fmt::runtime(tr("Written: {} ({})")), request.path.string(), summary->description);
-      outcome.lines = summary->warnings;
-      outcome.written = true;
-    }
-    outcomes->put(outcome);
-  });
+  worker_.request(
+      [task, finished = result, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
+        const int threads = hardwareThreads();
+        Outcome outcome;
+        if (task == Task::check) {
+          const auto check = checkSculpture(finished, request.millimetresPerUnit, threads, progress);
+          if (!check) return;
+          const auto problems = findPrintProblems(*check, countNotMapped(finished));
+          const auto hints = findPrintHints(*check);
+          outcome.message = tr(!problems.empty() ? "A printer would stumble over this:"
+                               : !hints.empty()  ? "It is closed and sound, but mind this:"
+                                                 : "It can be printed.");
+          outcome.lines = problems;
+          outcome.lines.insert(outcome.lines.end(), hints.begin(), hints.end());
+          outcome.rows = printCheckRows(*check);
+        } else {
+          const auto summary = exportLevel(finished, request, threads, progress);
+          if (!summary) return;
+          outcome.message =
+              fmt::format(fmt::runtime(tr("Written: {} ({})")), request.path.string(), summary->description);
+          outcome.lines = summary->warnings;
+          outcome.written = true;
+        }
+        outcomes->put(outcome);
+      });
 }
 
 }  // namespace anamorph

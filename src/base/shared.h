@@ -11,6 +11,8 @@ template <typename T>
 class Shared {
  public:
   Shared() : Shared(T()) {}
+  Shared(const Shared&) = default;  // copies only: what was moved from would hold nothing
+  Shared& operator=(const Shared&) = default;
   Shared(T value) : value_(std::make_shared<const T>(std::move(value))) {}  // NOLINT: a T is a Shared<T>
 
   const T& operator*() const { return *value_; }

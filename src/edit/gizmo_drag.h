@@ -4,7 +4,7 @@
 //   axis     the point of the axis nearest to the mouse's ray        ----o----x---> axis
 //   plane    where the ray meets the plane                                    '.
 //   ring     the angle there; whole turns count, too                            '.  ray
-//   scale    the share of the distance from the origin                            eye
+//   scale    the fraction of the distance from the origin                            eye
 //
 // What is remembered is only what a single position cannot tell: how many times a ring has been gone around,
 // how much slower some of the way was, and the last good value for where the ray meets nothing (past the

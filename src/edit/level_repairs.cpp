@@ -22,7 +22,7 @@ bool allOf(const Box& box, const Test& test) {
   return true;
 }
 
-// Behind the mirror and what continues it: through the open end of a cylinder its inner wall is seen, which
+// Behind the mirror and what continues it: through an open end the inner wall is seen, which
 // is farther away. Rays that miss both do not count: there the box stands beside them.
 bool isBehind(const Shape& mirror, const Point& eye, const Direction& sight, const Box& box) {
   const Shape whole = continued(mirror);

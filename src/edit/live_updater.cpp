@@ -106,13 +106,19 @@ void LiveUpdater::openLevel(const Session& session) {
 }
 
 LiveUpdater::PictureSubject LiveUpdater::reflectionSubject() const {
-  return {makeReflectionScene(result_.level, result_.sculpture), result_.level.camera, result_.level.tracing};
+  const LevelScene& level = result_.level;
+  return {makeReflectionScene(level, result_.sculpture), level.camera, level.grid.columns, level.grid.rows,
+          level.tracing};
 }
 LiveUpdater::PictureSubject LiveUpdater::originalSubject() const {
-  return {makeOriginalScene(result_.level, result_.original), result_.level.camera, result_.level.tracing};
+  const LevelScene& level = result_.level;
+  return {makeOriginalScene(level, result_.original), level.camera, level.grid.columns, level.grid.rows,
+          level.tracing};
 }
 LiveUpdater::MatchSubject LiveUpdater::matchSubject() const {
-  return {result_.original, result_.sculpture, result_.level.optic, result_.level.camera};
+  const LevelScene& level = result_.level;
+  return {result_.original, result_.sculpture,  level.optic,
+          level.camera,     level.grid.columns, level.grid.rows};
 }
 
 // What is not current is a new start for the live step, which follows at once.
@@ -123,10 +129,9 @@ bool LiveUpdater::takeResults(const Session& session) {
     const bool newShape = evaluated->result.shape != result_.shape;
     if (current || newShape || large()) {
       const bool isLast = requested_ == evaluated->input;
-      result_ = std::move(evaluated->result);
+      take(std::move(evaluated->result));
       result_.refined &= current;
       result_.complete &= current && isLast;
-      noteSubjects();
       changed = true;
     }
   }
@@ -139,16 +144,37 @@ bool LiveUpdater::takeResults(const Session& session) {
   return changed;
 }
 
-// The result is the worker's: it is what it was made of, and live ones start from it.
-void LiveUpdater::noteSubjects() {
-  of_ = {};
+// What the worker has not made yet stays as it is, and of what it was.
+void LiveUpdater::take(LevelResult evaluated) {
+  const LevelResult before = std::exchange(result_, std::move(evaluated));
+  noteSculpture();
+  if (result_.problem) {
+    of_.match.reset();
+  } else if (result_.match) {
+    of_.match = matchSubject();
+  } else {
+    result_.match = before.match;
+  }
+  const auto keep = [](std::shared_ptr<const Image>& picture, const std::shared_ptr<const Image>& old) {
+    if (picture) return false;
+    picture = old;
+    return true;
+  };
+  if (!keep(result_.previews.reflection, before.previews.reflection)) of_.reflection = reflectionSubject();
+  if (!keep(result_.previews.original, before.previews.original)) of_.original = originalSubject();
+  if (!result_.problem) keep(result_.previews.difference, before.previews.difference);
+}
+
+// The sculpture is the worker's: live ones start from it.
+void LiveUpdater::noteSculpture() {
+  of_.shape = result_.level.original.shape;
+  of_.emptiness.reset();
+  of_.sculpture.reset();
+  of_.refined.reset();
   if (!result_.problem) {
     of_.sculpture = SculptureSubject{result_.original.mesh, makeVertexMap(result_.level)};
     of_.refined = makeDeformInput(result_.level, result_.original.mesh);
-    if (result_.match) of_.match = matchSubject();
   }
-  if (result_.previews.reflection) of_.reflection = reflectionSubject();
-  if (result_.previews.original) of_.original = originalSubject();
   if (baseSculpture_ == result_.sculpture && baseOriginal_ == result_.original) return;
   baseOriginal_ = result_.original;
   baseSculpture_ = result_.sculpture;
@@ -217,7 +243,8 @@ void LiveUpdater::followSculpture() {
     }
     of_.sculpture = std::move(subject);
   }
-  result_.refined = of_.refined == makeDeformInput(level, result_.original.mesh);
+  result_.refined = of_.shape == level.original.shape &&  // else another one is being read
+                    of_.refined == makeDeformInput(level, result_.original.mesh);
   result_.problem = of_.emptiness;
   if (!result_.problem) result_.warnings = findWarnings(level, result_.sculpture);
 }
@@ -286,14 +313,14 @@ void LiveUpdater::request(const Session& session, const UpdateOptions& options) 
   requested_ = wanted;
   result_.complete = false;
   worker_.request([evaluator = evaluator_, results = results_, wake = wake_, threads = threads_,
-                   wanted = std::move(wanted), shown = result_](const Progress& progress) {
+                   wanted = std::move(wanted)](const Progress& progress) {
     evaluator->evaluate(
         wanted, threads,
         [&](const LevelResult& part) {
           results->put({wanted, part});
           if (wake) wake();
         },
-        progress, shown);
+        progress);
   });
 }
 

@@ -79,7 +79,8 @@ class LiveUpdater {
 
   void openLevel(const Session& session);
   bool takeResults(const Session& session);
-  void noteSubjects();
+  void take(LevelResult evaluated);
+  void noteSculpture();
   void followLevel(const Level& level, const UpdateOptions& options);
   void followOriginal(const OriginalSettings& before);
   void followSculpture();
@@ -90,10 +91,11 @@ class LiveUpdater {
   bool updateRays(const UpdateOptions& options);
   bool large() const;
 
-  // What a picture shows, whatever its size.
+  // What a picture shows, whatever its size; the pixel grid's sides are its proportions.
   struct PictureSubject {
     SceneInput scene;
     Camera camera;
+    int columns, rows;
     TracingSettings tracing;
     bool operator==(const PictureSubject&) const = default;
   };
@@ -103,6 +105,7 @@ class LiveUpdater {
     PreparedSculpture sculpture;
     Optic optic;
     Camera camera;
+    int columns, rows;
     bool operator==(const MatchSubject&) const = default;
   };
   struct SculptureSubject {
@@ -112,6 +115,7 @@ class LiveUpdater {
   };
   // What the parts of the result are of; nothing: of nothing that could be kept.
   struct Subjects {
+    std::optional<OriginalShape> shape;
     std::optional<SculptureSubject> sculpture;
     std::optional<std::string> emptiness;  // of that sculpture
     std::optional<DeformInput> refined;

@@ -10,7 +10,7 @@ namespace anamorph {
 
 class MorphStage {
  public:
-  /// `share` as for morphPoints; 1 is the sculpture itself.
+  /// `fraction`: t of morphPoints; 1 is the sculpture itself.
   PreparedSculpture at(double fraction, const LevelScene& level, const PreparedSculpture& sculpture,
                        int threads);
 

@@ -11,10 +11,8 @@ namespace anamorph {
 /// A mirror of another kind (its index in shapeTypes()) with the middle of the old one and
 /// within its height and width; the same when it is of that kind already.
 ///
-///     plane w x h <--> cylinder, its axis upwards in the plane, radius w/2 <--> sphere, the smaller of both
-///
-/// A plane turns towards the eye, round ones stay half as far from their middle as the eye is. Sound whatever
-/// the old one is.
+/// Each shape says itself how it fills a room (ShapeType::filling): flat ones turn towards the eye, round ones stay
+/// half as far from their middle as the eye is. Sound whatever the old one is.
 Shape mirrorOfKind(std::size_t kind, const Shape& old, const Point& eye);
 
 /// A built-in original by the index of its alternative in OriginalShape, at its usual size.

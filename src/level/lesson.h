@@ -30,7 +30,7 @@ enum class StepEvent {
   movedOriginal,    ///< or turned, or scaled
   movedMirror,      ///< or its size
   changedOriginal,  ///< another shape or file
-  changedMirror,    ///< what: "plane", "cylinder", "sphere"
+  changedMirror,    ///< what: a name of shapeNames()
   depthScaleChanged,
   toleranceOff,
   toleranceOn,

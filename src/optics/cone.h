@@ -97,8 +97,10 @@ struct ConeMirror {
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
     const Form form = formFrom(eye);
-    const double reach = 2 * std::max(widest(), form.radiusAtEye);
-    return bottom + form.along * form.axis +
+    const double far = 0.1 * farthestEye * widest();
+    const double along = std::clamp(form.along, -far, far);
+    const double reach = 2 * std::max(widest(), bottomRadius + form.slope * along);
+    return bottom + along * form.axis +
            reach * wayOut(form.w, form.across(bottom - original), perpendicular(form.axis));
   }
 
@@ -157,6 +159,10 @@ struct ConeMirror {
     return nearest / std::max(height(), 2 * widest());
   }
 
+  bool standsOnNarrowEnd() const {
+    return isUpright(top - bottom) && (topRadius - bottomRadius) * (top - bottom).z > 0;
+  }
+
   // 0: bottom, its radius; 1: axis, height; 2: slope, top radius.
   PackedShape packed(const Point& origin) const {
     const double slope = (topRadius - bottomRadius) / height();
@@ -168,7 +174,8 @@ struct ConeMirror {
     return {fmt::format(
                 fmt::runtime(tr("A cone of {} mm diameter at its bottom, {} mm at its top, {} mm high. ")),
                 text(2 * bottomRadius), text(2 * topRadius), text(height())),
-            stanceAlong(top - bottom)};
+            standsOnNarrowEnd() ? tr("Upright on its narrow end, in the middle of the blue circle")
+                                : stanceAlong(top - bottom)};
   }
 };
 

@@ -60,7 +60,7 @@ struct CylinderMirror {
   Bounce bounceFrom(const Point& eye) const { return {formFrom(eye)}; }
 
   /// As it would be if the cylinder were a sphere about its middle: the published mistake (mistakes.h).
-  Direction sphereNormal(const Point& point) const { return glm::normalize(point - middle()); }
+  Direction publishedNormal(const Point& point) const { return glm::normalize(point - middle()); }
 
   // ---- What can be wrong
 
@@ -82,11 +82,9 @@ struct CylinderMirror {
         distance, radius);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
-    const Direction a = axis();
-    const auto across = [&](const Vector& v) { return v - glm::dot(v, a) * a; };
-    const Vector w = eye - bottom;
-    return bottom + glm::dot(w, a) * a +
-           2 * radius * wayOut(across(w), across(bottom - original), perpendicular(a));
+    const Form form = formFrom(eye);
+    return bottom + form.along * form.axis +
+           2 * radius * wayOut(form.w, form.across(bottom - original), perpendicular(form.axis));
   }
 
   // ---- Its place

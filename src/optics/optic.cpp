@@ -28,6 +28,16 @@ bool canBend(const Optic& optic) {
                      [](const OpticPart& part) { return part.kind != OpticKind::canvas; });
 }
 
+std::optional<OpticHit> nearestOf(const Optic& optic, const Ray& ray, double tMin, bool visibleOnly) {
+  std::optional<OpticHit> nearest;
+  for (std::size_t part = 0; part < optic.parts.size(); ++part) {
+    if (visibleOnly && !traitsOf(optic.parts[part].kind).visible) continue;
+    const auto hit = intersect(optic.parts[part].shape, ray, tMin);
+    if (hit && !(nearest && nearest->t <= hit->t)) nearest = OpticHit{*hit, part};
+  }
+  return nearest;
+}
+
 }  // namespace
 
 bool isVisible(const Optic& optic) {
@@ -40,12 +50,11 @@ const char* surfaceName(const Optic& optic) {
 }
 
 std::optional<OpticHit> intersect(const Optic& optic, const Ray& ray, double tMin) {
-  std::optional<OpticHit> nearest;
-  for (std::size_t part = 0; part < optic.parts.size(); ++part) {
-    const auto hit = intersect(optic.parts[part].shape, ray, tMin);
-    if (hit && !(nearest && nearest->t <= hit->t)) nearest = OpticHit{*hit, part};
-  }
-  return nearest;
+  return nearestOf(optic, ray, tMin, false);
+}
+
+std::optional<OpticHit> intersectVisible(const Optic& optic, const Ray& ray, double tMin) {
+  return nearestOf(optic, ray, tMin, true);
 }
 
 Interaction interact(const Optic& optic, const Ray& ray, const OpticHit& hit) {
@@ -102,7 +111,7 @@ PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength
 
 double freeLength(const Optic& optic, const OpticPath& path) {
   if (!path.bends) return std::numeric_limits<double>::infinity();
-  const auto again = intersect(optic, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
+  const auto again = intersectVisible(optic, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
   return again ? again->t : std::numeric_limits<double>::infinity();
 }
 

@@ -63,6 +63,9 @@ struct OpticHit : SurfaceHit {
 /// The nearest hit of all parts at t > tMin; nothing when the ray misses.
 std::optional<OpticHit> intersect(const Optic& optic, const Ray& ray, double tMin = 0);
 
+/// The same of those parts only that stand there: of canvases nothing is seen, and they are in no ray's way.
+std::optional<OpticHit> intersectVisible(const Optic& optic, const Ray& ray, double tMin = 0);
+
 /// What a part has done to a ray that met it.
 struct Interaction {
   Vector direction{0};  ///< the ray's from there on, as long as before

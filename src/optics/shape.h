@@ -119,6 +119,8 @@ class Shape {
  public:
   /// The plane mirror of the first level.
   Shape();
+  Shape(const Shape&) = default;  // copies only: what was moved from would be no shape
+  Shape& operator=(const Shape&) = default;
   template <ConcreteShape S>
   Shape(S&& shape);  // NOLINT: a concrete shape is a shape
 
@@ -148,7 +150,7 @@ class AnyShape {
   virtual const char* name() const = 0;
   virtual std::optional<SurfaceHit> intersect(const Ray& ray, double tMin) const = 0;
   virtual std::size_t exitPoints(const ExitBlock& block) const = 0;
-  virtual std::optional<Direction> sphereNormal(const Point& point) const = 0;
+  virtual std::optional<Direction> publishedNormal(const Point& point) const = 0;
 
   virtual std::optional<std::string> findProblem() const = 0;
   virtual std::optional<std::string> findEyeProblem(const Point& eye) const = 0;
@@ -252,9 +254,9 @@ class ShapeOf final : public AnyShape {
       return followNone(block);
     }
   }
-  std::optional<Direction> sphereNormal(const Point& point) const override {
-    if constexpr (requires { shape_.sphereNormal(point); }) {
-      return shape_.sphereNormal(point);
+  std::optional<Direction> publishedNormal(const Point& point) const override {
+    if constexpr (requires { shape_.publishedNormal(point); }) {
+      return shape_.publishedNormal(point);
     } else {
       return std::nullopt;
     }
@@ -272,9 +274,11 @@ class ShapeOf final : public AnyShape {
   Point middle() const override { return shape_.middle(); }
   Axes axes() const override { return shape_.axes(); }
   bool isRound() const override {
-    return requires {
-      S::isRound;
-    };
+    if constexpr (requires { S::isRound; }) {
+      return S::isRound;
+    } else {
+      return false;
+    }
   }
   ShapeExtent extent() const override { return shape_.extent(); }
   std::optional<double> circleFromAbove() const override {

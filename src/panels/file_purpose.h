@@ -8,7 +8,7 @@ namespace anamorph {
 struct ExportFormat;
 
 struct FilePurpose {
-  const char* title;  ///< of the browser, in English; no two purposes have the same
+  const char* title;  ///< of the browser, in English; the same title is the same purpose
   const char* button;
   bool saves;  ///< a file that is there is asked about, and a name without an ending gets one
   std::vector<const char*> endings;  ///< of the files that are shown

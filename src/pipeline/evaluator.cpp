@@ -102,12 +102,9 @@ void Evaluator::takePictures(LevelResult& result, int previewSize, int threads, 
 }
 
 std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int threads,
-                                               const OnPart& onPart, const Progress& progress,
-                                               const LevelResult& shown) {
+                                               const OnPart& onPart, const Progress& progress) {
   LevelResult result;
   result.level = input.level;
-  result.match = shown.match;
-  result.previews = shown.previews;
   const Level& level = input.level;
   const auto tell = [&] {
     if (onPart) onPart(result);
@@ -123,10 +120,6 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
         });
     if (!progress.update(0.15)) return std::nullopt;
     makeSculptureOf(result, threads, partOf(progress, 0.15, 0.5));
-    if (result.problem) {
-      result.match = nullptr;
-      result.previews.difference = nullptr;
-    }
     tell();
     if (!result.problem) result.match = match(result, matchSize, match_, threads, partOf(progress, 0.5, 0.6));
     tell();

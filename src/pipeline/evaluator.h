@@ -33,10 +33,9 @@ class Evaluator {
   /// Called with what is known so far, more each time, from the calling thread. Pictures come coarse first.
   using OnPart = std::function<void(const LevelResult&)>;
 
-  /// All of a level. `shown` has pictures and match that stand in for those that are not made yet. Nothing when
-  /// cancelled. Throws Error when the original cannot be read.
+  /// All of a level. Nothing when cancelled. Throws Error when the original cannot be read.
   std::optional<LevelResult> evaluate(const EvaluationInput& input, int threads, const OnPart& onPart = {},
-                                      const Progress& progress = {}, const LevelResult& shown = {});
+                                      const Progress& progress = {});
 
   /// Original and sculpture of a level whose original is in scene coordinates, with what is wrong and what is
   /// worth knowing; no match, no pictures. Nothing when cancelled.

@@ -1,5 +1,5 @@
 // The frame of a drag: original and sculpture follow, their triangles stay. No refinement, no new trees:
-// points are mapped again, normals computed again, trees refitted. What is settled (stages.h) comes after the
+// points are mapped again, normals computed again, trees refitted. What is refined (evaluator.h) comes after the
 // drag, from the worker.
 //
 //   Level ----> LiveOriginal::place ----> LiveSculpture::follow ----> what the 3D view and the tracer show

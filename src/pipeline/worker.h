@@ -40,7 +40,7 @@ class Mailbox {
 class Worker {
  public:
   /// A job looks at progress.cancelled() often and returns soon after; it delivers through mailboxes of its
-  /// own. What it reports is what share() returns.
+  /// own. What it reports is what fraction() returns.
   using Job = std::function<void(const Progress& progress)>;
 
   /// `wake` is called from the worker's thread after every finished job (a window posts itself an event in

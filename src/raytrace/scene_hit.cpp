@@ -63,7 +63,7 @@ std::optional<SceneHit> findHit(const RenderScene& scene, const Ray& ray, double
     if (hit) tMax = hit->t;
   }
   if (scene.input.optic) {
-    const auto opticHit = intersect(scene.input.optic->optic, ray);
+    const auto opticHit = intersectVisible(scene.input.optic->optic, ray);
     if (opticHit && opticHit->t < tMax) {
       tMax = opticHit->t;
       const ObjectId part{ObjectKind::optic, static_cast<int>(opticHit->part)};
@@ -87,7 +87,7 @@ bool isBlocked(const RenderScene& scene, const Ray& ray, double tMax) {
     if (surface.bvh->anyHit(ray, 0, tMax)) return true;
   }
   if (scene.input.optic) {
-    const auto hit = intersect(scene.input.optic->optic, ray);
+    const auto hit = intersectVisible(scene.input.optic->optic, ray);
     if (hit && hit->t < tMax) return true;
   }
   return scene.input.ground && intersectGround(scene, ray, tMax);

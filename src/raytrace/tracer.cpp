@@ -103,7 +103,7 @@ class Tracer {
     return lit + hit.groundFade * backgroundColor(scene_.input.background, passage.ray.direction);
   }
 
-  // Ambient light and one ray to every light that is in front of the surface; all times `share`.
+  // Ambient light and one ray to every light that is in front of the surface; all times `fraction`.
   Color shadeSurface(const Material& material, const Ray& ray, const SceneHit& hit, int self,
                      double fraction) {
     Color color = fraction * material.ambient * material.color;

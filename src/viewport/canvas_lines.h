@@ -2,8 +2,8 @@
 // surface.
 //
 //     +--+--+--+--+
-//     |  |  |  |  |        a plane: a grid between its corners; a cylinder: rings and lines along it;
-//     +--+--+--+--+        a sphere: meridians and parallels about the vertical
+//     |  |  |  |  |        at even steps of the shape's own parameters (SurfaceLines of optics/shape.h)
+//     +--+--+--+--+
 //     |  |  |  |  |
 //     +--+--+--+--+
 #pragma once

@@ -33,9 +33,7 @@ std::optional<GpuSurface> selectedMesh(const Selection& selection) {
 /// Of the selected thing, in scene coordinates.
 Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots) {
   if (const auto mesh = selectedMesh(input.selection)) return slots[static_cast<int>(*mesh)].box;
-  if (input.selection.part == Part::mirror) {
-    return boundingBox(tessellate(input.level.optic.shape()).positions);
-  }
+  if (input.selection.part == Part::mirror) return boxOf(input.level.optic.shape());
   const Point middle = input.level.lights[input.selection.index].position;
   const Vector radius(scene.sceneSize.z);
   return {middle - radius, middle + radius};

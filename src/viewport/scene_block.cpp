@@ -7,7 +7,6 @@
 #include <glm/ext/vector_double4.hpp>
 
 #include "math/palette.h"
-#include "optics/shape_table.h"
 #include "raytrace/scene.h"
 #include "raytrace/tracer.h"
 

@@ -1,5 +1,5 @@
 // The 3D view: everything of the level drawn by OpenGL into a picture of its own. It reads the result and never
-// edits them.
+// edits it.
 //
 // Meshes are rasterised; mirror, ground, sky and light markers are met analytically, pixel by pixel. Every
 // surface is lit as the CPU tracer lights it (same materials, shadow rays through the same BVH, same tone

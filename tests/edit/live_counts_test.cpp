@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "edit/live_updater.h"
 #include "edit/session.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 namespace {
@@ -90,6 +93,58 @@ TEST_F(LiveCosts, WhereTheGridIsDrawnCostsNothing) {
   EXPECT_EQ(after.previews, before.previews) << "not rendered anew";
   EXPECT_EQ(after.screen, before.screen);
   EXPECT_EQ(after.level.grid.distance, session_.level().grid.distance);
+}
+
+// Its columns and rows are the proportions of every picture.
+TEST_F(LiveCosts, AnotherGridIsAnotherPicture) {
+  const LiveCounts cost = drag([](Level& level) { level.grid.columns += 1; });
+  EXPECT_EQ(cost, (LiveCounts{0, 0, 10, 20}));
+  const LevelResult& result = updater_.result();
+  const auto size = pictureSize(session_.level().grid, LiveUpdater::coarseSize);
+  EXPECT_EQ(std::pair(result.previews.reflection->width, result.previews.reflection->height), size);
+  EXPECT_EQ(std::pair(result.match->report.width, result.match->report.height), size);
+}
+
+// Until another original is there, the old one is shown: nothing about it is the level's any more.
+TEST_F(LiveCosts, AnotherShapeIsNotRefinedUntilItIsThere) {
+  for (const OriginalShape& shape : {OriginalShape(SphereShape{}), OriginalShape(FileShape{"nothing.obj"})}) {
+    Level level = session_.level();
+    level.original.shape = shape;
+    session_.edit(level);
+    updater_.update(session_, quick);
+    EXPECT_FALSE(updater_.result().refined);
+    updater_.finish(session_, quick);
+    EXPECT_EQ(updater_.result().refined, !updater_.result().problem);
+    level.lights[0].color.x *= 0.5;  // of which the shape knows nothing
+    session_.edit(level);
+    updater_.update(session_, quick);
+    if (std::holds_alternative<FileShape>(shape)) {
+      EXPECT_FALSE(updater_.result().refined);
+    }
+  }
+}
+
+// A worker that is stopped early has made a sculpture and nothing else: what stands in is not taken for its own.
+TEST_F(LiveCosts, WhatAStoppedWorkerLeftIsMadeInTheFrame) {
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    Level level = session_.level();
+    level.camera.eye.x += 0.1;
+    session_.edit(level);
+    for (int k = 0; k <= i; ++k) updater_.update(session_, quick);
+    level.lights[0].color.x *= 0.99;
+    session_.change(level);  // stops the worker
+    updater_.update(session_, quick);
+    const LevelResult& result = updater_.result();
+    ASSERT_TRUE(result.match);
+    const MatchReport& report = result.match->report;
+    const Match wanted = computeMatch(
+        makeMatchInput(session_.level(), result.original, result.sculpture, report.width, report.height));
+    EXPECT_EQ(report.silhouetteIou, wanted.report.silhouetteIou);
+    EXPECT_EQ(report.p99Px, wanted.report.p99Px);
+    session_.finishChange();
+    updater_.finish(session_, quick);
+  }
 }
 
 TEST_F(LiveCosts, WordsCostNothingAtAll) {

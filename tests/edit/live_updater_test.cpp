@@ -107,7 +107,7 @@ void expectFollowing(const LevelResult& result, const Level& level) {
   EXPECT_EQ(wrong, 0u);
 }
 
-TEST(LiveUpdater, FinishedProductsAreThoseOfThePipeline) {
+TEST(LiveUpdater, FinishedResultsAreThoseOfThePipeline) {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
     SCOPED_TRACE(name);
     Session session;
@@ -395,16 +395,16 @@ TEST(LiveUpdater, MeshFileThatFailsIsAProblemAndLaterRecovers) {
 }
 
 /// A level in a folder of its own, whose original is a file.
-class StudioFile : public ::testing::Test {
+class LevelWithAFile : public ::testing::Test {
  protected:
-  StudioFile() {
+  LevelWithAFile() {
     std::string name = (std::filesystem::temp_directory_path() / "anamorph-studio-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
     Level level = quickLevels()[0];
     level.original.shape = FileShape{"mesh.obj"};
     saveLevel(levelPath(), level);
   }
-  ~StudioFile() override { std::filesystem::remove_all(folder_); }
+  ~LevelWithAFile() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path levelPath() const { return folder_ / "level.json"; }
   void writeBox(int segments) const { saveMesh(folder_ / "mesh.obj", makeBox({6, 2, 2}, segments)); }
@@ -413,7 +413,7 @@ class StudioFile : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(StudioFile, FailureOfALevelIsNotTheNextOnes) {
+TEST_F(LevelWithAFile, FailureOfALevelIsNotTheNextOnes) {
   Session session;
   session.open(levelPath());
   std::atomic<int> wakes{0};
@@ -428,7 +428,7 @@ TEST_F(StudioFile, FailureOfALevelIsNotTheNextOnes) {
   expectEvaluated(updater.result(), session, quick);
 }
 
-TEST_F(StudioFile, OpenedAgainReadsItsMeshAgain) {
+TEST_F(LevelWithAFile, OpenedAgainReadsItsMeshAgain) {
   Session session;
   session.open(levelPath());
   LiveUpdater updater({}, 2);
@@ -538,8 +538,7 @@ TEST(LiveUpdater, LargeOriginalsDoNotFollowInTheFrame) {
     EXPECT_EQ(times.original + times.sculpture + times.preview + times.match, 0);
   }
   // While the drag goes on, what the worker makes is shown though it is of a moment ago.
-  ASSERT_TRUE(
-      updateUntil(updater, session, small, [&] { return result.sculpture.sculpture != sculpture; }));
+  ASSERT_TRUE(updateUntil(updater, session, small, [&] { return result.sculpture.sculpture != sculpture; }));
   session.finishChange();
   updater.finish(session, small);
   EXPECT_EQ(result.level, level);

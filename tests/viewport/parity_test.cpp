@@ -109,8 +109,9 @@ TEST_P(Parity, HoldsFarFromTheOrigin) {
   level.optic.shape() = mapShape(level.optic.shape(), {[&](const Point& p) { return p + away; }});
   for (Point* p : {&level.camera.eye, &level.camera.target, &level.original.placement.position}) *p += away;
   for (PointLight& light : level.lights) light.position += away;
-  const auto shape = loadOriginal(level.original.shape, "");
-  finished = *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
+  Mesh original = *finished.original.mesh;
+  original.positions = mapPoints(original.positions, [&](const Point& p) { return p + away; });
+  finished = *finishLevel(level, std::make_shared<const Mesh>(std::move(original)), 0);
   const Bitmap view = pictureOf(tracerInput(finished, size, size));
   const Difference all =
       differenceOf(view, tracedPicture(finished, size, size), [](int, int) { return true; });
@@ -217,7 +218,7 @@ TEST_F(CanvasParity, InsideOfACylinderRaysAreReflectedAgainAndAgain) {
   EXPECT_FALSE(pictures[2] == pictures[3]) << "more than two reflections are seen";
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, Parity, testing::Values("1-plane", "2-cylinder", "3-sphere"));
+INSTANTIATE_TEST_SUITE_P(Levels, Parity, testing::Values("1-plane", "2-cylinder", "3-sphere", "cone"));
 
 }  // namespace
 }  // namespace anamorph::test

@@ -1,6 +1,7 @@
 // A finished level, and what the 3D view draws of it.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -16,12 +17,15 @@
 
 namespace anamorph::test {
 
-/// Made once for each level: "1-plane", "2-cylinder", "3-sphere".
+/// Made once for each level, an installed one or one of the tests' data: "1-plane", "cone".
 inline const LevelResult& finishedLevel(const std::string& name) {
   static std::map<std::string, LevelResult> levels;
   const auto found = levels.find(name);
   if (found != levels.end()) return found->second;
-  const std::string path = std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
+  const std::string installed = std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
+  const std::string path = std::filesystem::exists(installed)
+                               ? installed
+                               : std::string(ANAMORPH_TEST_DATA) + "/levels/" + name + ".json";
   const Level level = loadLevel(path).level;
   const auto shape = loadOriginal(level.original.shape, path);
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
