@@ -64,10 +64,9 @@ struct ConeMirror {
       const double near = one < other ? one : other, far = one < other ? other : one;
       const bool nearMeets = (near > 0) & form.contains(near, v);
       const double t = nearMeets ? near : far;
-      const Vector normal = form.normalAt(t, v, u);
-      const bool fromOutside = glm::dot(normal, v) < 0;
+      const bool fromOutside = a * t + b < 0;  // where the quadric's value falls
       const bool meets = (discriminant >= 0) & (a != 0) & (q != 0) & form.contains(t, v) & fromOutside;
-      return {t, normal, meets};
+      return {t, form.normalAt(t, v, u), meets};
     }
   };
   Bounce bounceFrom(const Point& eye) const { return {formFrom(eye)}; }

@@ -52,9 +52,8 @@ struct CylinderMirror {
     [[gnu::always_inline]] BouncePoint operator()(const Point&, const Vector& v) const {
       const Vector u = form.across(v);
       const auto [a, b] = form.coefficients(v, u);
-      const OutsideRoot root = firstFromOutside(a, b, form.c);
-      const bool onSurface = root.valid & form.contains(root.t, v);
-      return {root.t, form.normalAt(root.t, v, u), onSurface};
+      const double t = firstFromOutside(a, b, form.c);
+      return {t, form.normalAt(t, v, u), form.contains(t, v)};
     }
   };
   Bounce bounceFrom(const Point& eye) const { return {formFrom(eye)}; }

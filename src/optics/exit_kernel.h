@@ -47,16 +47,13 @@ struct BouncePoint {
   bool onSurface;  ///< and the plain case as far as the shape can tell
 };
 
-/// The first root of a t^2 + 2 b t + c when the eye is outside (c > 0) and the ray comes nearer; `valid` is false
-/// otherwise. The same bits as solveQuadratic's.
-struct OutsideRoot {
-  double t;
-  bool valid;
-};
-[[gnu::always_inline]] inline OutsideRoot firstFromOutside(double a, double b, double c) {
+/// The first root of a t^2 + 2 b t + c when the eye is outside (c > 0) and the ray comes nearer, with the same bits as
+/// solveQuadratic's; else a t that is not > 0. A number alone: a struct would keep the loop from vectorising.
+[[gnu::always_inline]] inline double firstFromOutside(double a, double b, double c) {
   const double discriminant = b * b - a * c;
   const bool valid = (discriminant >= 0) & (b < 0) & (c > 0);
-  return {c / (std::sqrt(std::abs(discriminant)) - b), valid};  // abs: no branch, so that loops vectorise
+  const double t = c / (std::sqrt(std::abs(discriminant)) - b);  // abs: no branch
+  return valid ? t : -1;
 }
 
 /// How many are plain. That no array overlaps another has to be said at the parameters of the very function that

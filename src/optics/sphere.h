@@ -51,8 +51,8 @@ struct SphereMirror {
     double c, inverseRadius;
 
     [[gnu::always_inline]] BouncePoint operator()(const Point&, const Vector& v) const {
-      const OutsideRoot root = firstFromOutside(glm::dot(v, v), glm::dot(v, w), c);
-      return {root.t, (w + root.t * v) * inverseRadius, root.valid};
+      const double t = firstFromOutside(glm::dot(v, v), glm::dot(v, w), c);
+      return {t, (w + t * v) * inverseRadius, t > 0};
     }
   };
   Bounce bounceFrom(const Point& eye) const {
