@@ -18,8 +18,8 @@ class CancelToken {
 };
 
 struct Progress {
-  std::function<void(double)>
-      report;  ///< called with a share in 0..1, from one thread at a time; may be empty
+  /// Called with a fraction in 0..1, from one thread at a time; may be empty.
+  std::function<void(double)> report;
   CancelToken token;
 
   /// Reports and returns whether to go on.

@@ -13,12 +13,6 @@
 namespace anamorph {
 namespace {
 
-void extendBy(Box& box, const Box& other) {
-  if (other.empty()) return;
-  box.extend(other.min);
-  box.extend(other.max);
-}
-
 Box mirrorBox(const Level& level) {
   return findShapeProblem(level.optic.shape()) ? Box{} : boxOf(level.optic.shape());
 }
@@ -123,8 +117,8 @@ Box boxOf(const Editor& editor, const Selection& selection) {
   const Box original = originalBox(editor), sculpture = sculptureBox(editor);
   if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
   Box box = mirrorBox(level);
-  extendBy(box, original);
-  extendBy(box, sculpture);
+  box.extend(original);
+  box.extend(sculpture);
   if (editor.display.rtCamera) box.extend(level.camera.eye);
   return box;
 }

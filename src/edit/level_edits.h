@@ -5,7 +5,7 @@
 //   eye      x      the aim around it      -
 //   aim      x      -                      -
 //   original x      x                      along its own axes
-//   mirror   x      x (not a sphere)       corners; radius and height; a sphere uniformly
+//   mirror   x      x (not a round one)    along its own axes; a round one uniformly
 //   light    x      -                      -
 //   sculpture -     -                      its depth scale, uniformly
 //

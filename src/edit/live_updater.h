@@ -27,8 +27,8 @@ namespace anamorph {
 struct UpdateOptions {
   int previewSize = 256;  ///< longer side in pixels; 0: the pixel grid's own resolution
   bool trees = false;     ///< whether the ray trees of the pixel grid are wanted
-  bool original =
-      true;  ///< whether the original's and the difference picture are wanted while something moves
+  /// Whether the original's and the difference picture are wanted while something moves.
+  bool original = true;
 };
 
 /// Milliseconds of the last update that worked on a level that moves.

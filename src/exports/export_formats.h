@@ -34,8 +34,8 @@ struct ExportFormat {
   const char* fileName = "";         ///< the file that is proposed
   std::vector<const char*> endings;  ///< in small letters
   std::vector<ExportOption> options;
-  const char* askedBy =
-      nullptr;  ///< where its endings are another format's: the command's option that means this
+  /// Where its endings are another format's: the command's option that means this.
+  const char* askedBy = nullptr;
   std::optional<ExportSummary> (*write)(const LevelResult& finished, const ExportRequest& request,
                                         int threads, const Progress& progress) = nullptr;
 

@@ -19,6 +19,14 @@ struct Box {
     min = glm::min(min, p);
     max = glm::max(max, p);
   }
+  void extend(const Box& other) {
+    min = glm::min(min, other.min);
+    max = glm::max(max, other.max);
+  }
+  /// Which of the eight: bits 1, 2 and 4 of `number` take the larger x, y and z.
+  Point corner(int number) const {
+    return {number & 1 ? max.x : min.x, number & 2 ? max.y : min.y, number & 4 ? max.z : min.z};
+  }
   /// Undefined for an empty box, as are size() and diagonal().
   Point centre() const { return 0.5 * (min + max); }
   Vector size() const { return max - min; }

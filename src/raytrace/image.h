@@ -50,8 +50,8 @@ Bitmap toBitmap(const Image& image);
 struct BitmapDifference {
   double meanAbsolute = 0;  ///< over all channels, 0..255
   int maxAbsolute = 0;      ///< of all channels, 0..255
-  double fractionOver =
-      0;  ///< share of pixels of which some channel differs by more than the threshold, 0..1
+  /// Of pixels of which some channel differs by more than the threshold, 0..1.
+  double fractionOver = 0;
 };
 
 /// Compares byte by byte. Size and channels must be equal.

@@ -15,10 +15,9 @@ namespace {
 // and well below a pixel.
 constexpr double relativeEpsilon = 1.0 / (1 << 18);
 
-void extendBy(Box& box, const Box& other) {
-  if (other.empty() || !isFinite(other.min) || !isFinite(other.max)) return;
-  box.extend(other.min);
-  box.extend(other.max);
+// What is nowhere has no part in the scene's size.
+void extendIfFinite(Box& box, const Box& other) {
+  if (isFinite(other.min) && isFinite(other.max)) box.extend(other);
 }
 
 }  // namespace
@@ -37,9 +36,9 @@ SceneMeasure measureScene(const Box& box) {
 
 Box boxOf(const SceneInput& input) {
   Box box;
-  for (const MeshSurface& surface : input.surfaces) extendBy(box, surface.box);
+  for (const MeshSurface& surface : input.surfaces) extendIfFinite(box, surface.box);
   if (!input.optic) return box;
-  for (const OpticPart& part : input.optic->optic.parts) extendBy(box, boxOf(part.shape));
+  for (const OpticPart& part : input.optic->optic.parts) extendIfFinite(box, boxOf(part.shape));
   return box;
 }
 

@@ -50,8 +50,7 @@ PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin,
   const bool parallel = scene.forward.w > 0.5f;
   glm::vec2 low = size, high(0);
   for (int corner = 0; corner < 8; ++corner) {
-    const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                  corner & 4 ? box.max.z : box.min.z);
+    const Point p = box.corner(corner);
     const glm::vec3 v = glm::vec3(p - origin) - glm::vec3(scene.eye);
     const float depth = parallel ? 1 : glm::dot(v, glm::vec3(scene.forward));
     const glm::vec2 across(glm::dot(v, glm::vec3(scene.right)), glm::dot(v, glm::vec3(scene.up)));

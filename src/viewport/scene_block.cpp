@@ -54,8 +54,7 @@ void packDepths(SceneBlock& block, const ViewportInput& input, const SceneMeasur
     if (!visible.surface(static_cast<GpuSurface>(i))) continue;
     for (int corner = 0; corner < 8; ++corner) {
       const Box& box = slots[i].box;
-      const Point p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                    corner & 4 ? box.max.z : box.min.z);
+      const Point p = box.corner(corner);
       const double depth = glm::dot(p - view.eye(), view.frame().forward);
       near = std::min(near, depth);
       far = std::max(far, depth);

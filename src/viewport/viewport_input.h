@@ -23,8 +23,8 @@ struct ViewportInput {
   DisplaySettings display;
   Selection selection;                             ///< is outlined in orange
   std::shared_ptr<const std::vector<Line>> lines;  ///< may be null
-  std::shared_ptr<const Image>
-      screen;                ///< linear light, shown on the RT camera's pixel grid; null: an empty grid
+  /// Linear light, shown on the RT camera's pixel grid; null: an empty grid.
+  std::shared_ptr<const Image> screen;
   double lineScale = 1;      ///< UI scale
   bool transparent = false;  ///< no background, no ground: alpha 0 where nothing is
 

@@ -23,7 +23,7 @@ std::string step(const std::string& id, const std::string& done, const std::stri
          ", \"show\": " + show + "}";
 }
 
-// A editor with a small plane level and these steps, settled.
+// An editor with a small plane level and these steps, settled.
 class LessonRunTest : public ::testing::Test {
  protected:
   void open(const std::string& steps) {

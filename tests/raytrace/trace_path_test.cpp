@@ -16,14 +16,14 @@ std::vector<RayTree> treesOf(const RenderScene& scene, const Camera& camera, con
   return trees;
 }
 
-class StudioPaths : public testing::Test {
+class TracedPaths : public testing::Test {
  protected:
   const RenderScene scene = buildScene(makeUpdater());
   const ImageRequest request = smallImage(48, 40);
   const std::vector<RayTree> trees = treesOf(scene, studioCamera(), request);
 };
 
-TEST_F(StudioPaths, AreThoseOfTheImage) {
+TEST_F(TracedPaths, AreThoseOfTheImage) {
   const auto image = render(scene, studioCamera(), request);
   ASSERT_TRUE(image);
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -32,7 +32,7 @@ TEST_F(StudioPaths, AreThoseOfTheImage) {
   }
 }
 
-TEST_F(StudioPaths, BranchAtSurfaces) {
+TEST_F(TracedPaths, BranchAtSurfaces) {
   const Point eye = studioCamera().eye;
   int seen[5] = {};
   for (const RayTree& tree : trees) {
@@ -54,7 +54,7 @@ TEST_F(StudioPaths, BranchAtSurfaces) {
   for (const int count : seen) EXPECT_GT(count, 20) << "every kind is there";
 }
 
-TEST_F(StudioPaths, ReflectedRaysObeyTheLawOfReflection) {
+TEST_F(TracedPaths, ReflectedRaysObeyTheLawOfReflection) {
   for (const RayTree& tree : trees) {
     for (const RaySegment& segment : tree.segments) {
       if (segment.kind != RayKind::reflected) continue;
@@ -69,7 +69,7 @@ TEST_F(StudioPaths, ReflectedRaysObeyTheLawOfReflection) {
   }
 }
 
-TEST_F(StudioPaths, LightRaysEndAtLightsAndShadowRaysAtBlockers) {
+TEST_F(TracedPaths, LightRaysEndAtLightsAndShadowRaysAtBlockers) {
   for (const RayTree& tree : trees) {
     for (const RaySegment& segment : tree.segments) {
       const Point start = segment.from;
@@ -95,7 +95,7 @@ TEST_F(StudioPaths, LightRaysEndAtLightsAndShadowRaysAtBlockers) {
   }
 }
 
-TEST_F(StudioPaths, ContributionsOfChildrenAddUp) {
+TEST_F(TracedPaths, ContributionsOfChildrenAddUp) {
   for (const RayTree& tree : trees) {
     std::vector<Color> fromChildren(tree.segments.size(), Color(0));
     for (const RaySegment& segment : tree.segments) {
