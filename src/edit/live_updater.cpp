@@ -28,16 +28,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// One that has an area, as findEmptiness wants it.
-bool anyTriangleMapped(const Sculpture& sculpture) {
-  const auto& status = sculpture.status;
-  const auto mapped = [&](std::uint32_t corner) { return status[corner] == PathStatus::mapped; };
-  return std::any_of(
-      sculpture.mesh.triangles.begin(), sculpture.mesh.triangles.end(), [&](const Triangle& t) {
-        return mapped(t[0]) && mapped(t[1]) && mapped(t[2]) && areaVector(sculpture.original, t) != Vector(0);
-      });
-}
-
 bool isSameScene(const LevelScene& a, const LevelScene& b) {
   return a == b;
 }
@@ -223,7 +213,7 @@ void LiveUpdater::followSculpture() {
   result_.problem = findProblem(level, result_.original.box);
   if (result_.problem) {
     of_.sculpture.reset();
-    result_.sculpture = prepareSculpture({});
+    result_.sculpture = emptySculpture({});
     result_.refined = false;
     return;
   }
@@ -233,14 +223,8 @@ void LiveUpdater::followSculpture() {
     result_.sculpture = liveSculpture_->follow(subject.map, subject.original, frameThreads_);
     ++liveCounts_.sculptures;
     of_.refined.reset();
-    of_.emptiness.reset();
-    const Sculpture& sculpture = *result_.sculpture.sculpture;
-    if (!anyTriangleMapped(sculpture)) {
-      Sculpture empty;
-      empty.originalStatus = sculpture.originalStatus;
-      of_.emptiness = findEmptiness(empty);
-      result_.sculpture = prepareSculpture(std::move(empty));
-    }
+    of_.emptiness = findEmptiness(*result_.sculpture.sculpture);
+    if (of_.emptiness) result_.sculpture = emptySculpture(result_.sculpture.sculpture->originalStatus);
     of_.sculpture = std::move(subject);
   }
   result_.refined = of_.shape == level.original.shape &&  // else another one is being read

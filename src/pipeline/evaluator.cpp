@@ -11,13 +11,6 @@ namespace {
 // For what a stage was cancelled in: thrown through Memo so that nothing half-made is kept, caught below.
 struct Cancelled {};
 
-// A sculpture of which nothing can be seen.
-PreparedSculpture nothingOf(const StatusCounts& counts, int threads) {
-  Sculpture empty;
-  empty.originalStatus = counts;
-  return prepareSculpture(std::move(empty), threads);
-}
-
 }  // namespace
 
 void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress& progress) {
@@ -25,7 +18,7 @@ void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress
   result.refined = true;
   result.problem = findProblem(level, result.original.box);
   if (result.problem) {
-    result.sculpture = nothingOf({}, threads);
+    result.sculpture = emptySculpture({});
     return;
   }
   result.sculpture =
@@ -39,7 +32,7 @@ void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress
   if (!result.problem) {
     result.warnings = findWarnings(level, result.sculpture);
   } else if (!sculpture.mesh.triangles.empty()) {  // triangles without area
-    result.sculpture = nothingOf(sculpture.originalStatus, threads);
+    result.sculpture = emptySculpture(sculpture.originalStatus);
   }
 }
 

@@ -42,10 +42,13 @@ PreparedMesh prepare(std::shared_ptr<const Mesh> mesh, const PointArray* shape, 
   return prepared;
 }
 
+// A live sculpture has triangles with corners that are not mapped: nothing is seen of those.
 bool hasArea(const Sculpture& sculpture) {
+  const auto mapped = [&](std::uint32_t corner) { return sculpture.status[corner] == PathStatus::mapped; };
   const auto& triangles = sculpture.mesh.triangles;
-  return std::any_of(triangles.begin(), triangles.end(),
-                     [&](const Triangle& t) { return areaVector(sculpture.original, t) != Vector(0); });
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return mapped(t[0]) && mapped(t[1]) && mapped(t[2]) && areaVector(sculpture.original, t) != Vector(0);
+  });
 }
 
 // `in` gives the language.
@@ -114,6 +117,12 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
   return fmt::format(
       fmt::runtime(tr("no triangle of the original can be mapped. For {} of its {} vertices, {}.")), *worst,
       total, explainStatus(static_cast<PathStatus>(worst - counts.begin())));
+}
+
+PreparedSculpture emptySculpture(const StatusCounts& counts) {
+  Sculpture empty;
+  empty.originalStatus = counts;
+  return prepareSculpture(std::move(empty));
 }
 
 std::string statusSentence(const StatusCounts& counts) {

@@ -46,6 +46,9 @@ std::optional<std::string> findProblem(const LevelScene& level, const Box& origi
 /// Why no triangle of the original that has an area has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 
+/// What is shown then: a sculpture without triangles that knows what became of the original's vertices.
+PreparedSculpture emptySculpture(const StatusCounts& counts);
+
 /// "6100 of 6146 vertices mapped (46 missesMirror)"
 std::string statusSentence(const StatusCounts& counts);
 /// The same in the chosen language.
