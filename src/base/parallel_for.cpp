@@ -27,7 +27,7 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failureMutex;
-  const auto editor = [&] {
+  const auto work = [&] {
     try {
       for (std::size_t chunk = next++; chunk < chunks; chunk = next++) {
         const std::size_t begin = chunk * grain;
@@ -45,12 +45,12 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
   helpers.reserve(workers);
 #if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
   try {
-    for (std::size_t i = 1; i < workers; ++i) helpers.emplace_back(editor);
+    for (std::size_t i = 1; i < workers; ++i) helpers.emplace_back(work);
   } catch (const std::system_error&) {
     // No more threads to be had: those that run do all of the work.
   }
 #endif
-  editor();
+  work();
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);
 }

@@ -13,7 +13,7 @@ namespace anamorph::test {
 namespace {
 
 SceneInput sphereScene() {
-  SceneInput input = makeUpdater();
+  SceneInput input = makeStudio();
   input.optic = makeMirror(SphereMirror{{0, 0, 2}, 2});
   input.surfaces.push_back(
       makeSurface("plate", makeFloor(1, 5.5), Material{{0.1, 0.4, 0.8}, 0.3, 0.7, 0.2, 30}));
@@ -44,7 +44,7 @@ void expectPicture(const std::string& name, const SceneInput& input) {
 }
 
 TEST(Picture, CylinderInTheStudio) {
-  expectPicture("studio-cylinder", makeUpdater());
+  expectPicture("studio-cylinder", makeStudio());
 }
 
 TEST(Picture, SphereInTheStudio) {

@@ -30,7 +30,7 @@ TEST(SamplePositions, LieEvenlyAroundTheMiddle) {
 }
 
 TEST(Render, DoesNotDependOnTheNumberOfThreads) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   ImageRequest request = smallImage(71, 53);  // no multiple of a tile
   request.samplesPerAxis = 2;
   const auto one = render(scene, studioCamera(), request);
@@ -42,7 +42,7 @@ TEST(Render, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(Render, APixelIsTheMeanOfItsSamples) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   ImageRequest request = smallImage(20, 20);
   request.samplesPerAxis = 3;
   const auto image = render(scene, studioCamera(), request);
@@ -61,7 +61,7 @@ TEST(Render, LooksTheSameAtEveryScale) {
     Camera camera = studioCamera();
     camera.eye *= scale;
     camera.target *= scale;
-    return toBitmap(*render(buildScene(scaled(makeUpdater(), scale)), camera, smallImage(96, 96)));
+    return toBitmap(*render(buildScene(scaled(makeStudio(), scale)), camera, smallImage(96, 96)));
   };
   const Bitmap usual = picture(1);
   for (const double scale : {1e-3, 0.1, 300.0, 1e5}) {
@@ -77,7 +77,7 @@ TEST(Render, ReportsEveryPixelOnce) {
       EXPECT_GT(fraction, last);
       last = fraction;
     };
-    const RenderScene scene = buildScene(makeUpdater());
+    const RenderScene scene = buildScene(makeStudio());
     const ImageRequest request = smallImage(50, 37, 2);
     if (progressive) {
       renderProgressive(
@@ -90,7 +90,7 @@ TEST(Render, ReportsEveryPixelOnce) {
 }
 
 TEST(RenderProgressive, EndsWithTheImageOfRender) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   for (const auto& [width, height] : {std::pair{61, 47}, {8, 8}, {1, 1}, {3, 90}}) {
     ImageRequest request = smallImage(width, height, 2);
     request.samplesPerAxis = 2;
@@ -107,7 +107,7 @@ TEST(RenderProgressive, EndsWithTheImageOfRender) {
 }
 
 TEST(RenderProgressive, CoarsePassesAreCompleteAndGetBetter) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   const ImageRequest request = smallImage(96, 96);
   std::vector<Image> passes;
   renderProgressive(scene, studioCamera(), request, [&](const Image& pass, int) { passes.push_back(pass); });
@@ -142,7 +142,7 @@ TEST(RenderProgressive, CoarsePassesInterpolateBothWays) {
 }
 
 TEST(Render, CancelledBeforeItBeginsGivesNothing) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   Progress progress;
   progress.report = [](double) { FAIL() << "traced something"; };
   progress.token.cancel();
@@ -152,7 +152,7 @@ TEST(Render, CancelledBeforeItBeginsGivesNothing) {
 }
 
 TEST(Render, CancelStopsAfterTheTilesAtWork) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   Progress progress;
   int reports = 0;
   progress.report = [&](double) {
@@ -164,7 +164,7 @@ TEST(Render, CancelStopsAfterTheTilesAtWork) {
 }
 
 TEST(Render, CancelFromAnotherThreadIsQuick) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   ImageRequest request = smallImage(16, 16, 2);  // one tile, half a second of work
   request.samplesPerAxis = 50;
   const Progress progress;
@@ -182,7 +182,7 @@ TEST(Render, CancelFromAnotherThreadIsQuick) {
 }
 
 TEST(RenderProgressive, ShowsNothingAfterACancel) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   const Progress progress;
   int passes = 0;
   EXPECT_FALSE(renderProgressive(

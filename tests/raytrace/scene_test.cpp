@@ -11,12 +11,12 @@ namespace anamorph::test {
 namespace {
 
 TEST(SceneInput, IsComparedByValueAndByPointer) {
-  const SceneInput a = makeUpdater();
+  const SceneInput a = makeStudio();
   SceneInput b = a;
   EXPECT_EQ(a, b);
   b.lights[0].intensity += 0.1;
   EXPECT_NE(a, b);
-  EXPECT_NE(a, makeUpdater()) << "equal meshes of their own count as different";
+  EXPECT_NE(a, makeStudio()) << "equal meshes of their own count as different";
 }
 
 TEST(BuildScene, MeasuresSurfacesAndOptic) {
@@ -47,7 +47,7 @@ TEST(BuildScene, SurfacesMustBeComplete) {
 }
 
 TEST(ObjectName, IsForPeople) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   EXPECT_EQ(objectName(scene, {ObjectKind::mesh, 0}), "box");
   EXPECT_EQ(objectName(scene, {ObjectKind::optic, 0}), "mirror");
   EXPECT_EQ(objectName(scene, {ObjectKind::ground, 0}), "ground");
@@ -56,7 +56,7 @@ TEST(ObjectName, IsForPeople) {
 }
 
 TEST(FindHit, TakesTheNearestObject) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   const auto kindAlong = [&](const Point& from, const Point& to) {
     const auto hit = findHit(scene, {from, glm::normalize(to - from)});
     return hit ? hit->object.kind : ObjectKind::none;
@@ -100,7 +100,7 @@ TEST(FindHit, SmoothNormalsAreInterpolated) {
 }
 
 TEST(IsBlocked, AgreesWithFindHit) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-6, 6);
   for (int i = 0; i < 3000; ++i) {

@@ -37,7 +37,7 @@ inline OpticSurface makeMirror(const Shape& shape) {
 }
 
 /// A mirror cylinder on the ground with a box beside it that shows in it, two lights.
-inline SceneInput makeUpdater() {
+inline SceneInput makeStudio() {
   SceneInput input;
   input.surfaces.push_back(makeSurface("box", makeCuboid({-1.5, -4, 0.5}, {1, -3, 1.5}),
                                        Material{{0.8, 0.3, 0.1}, 0.2, 0.7, 0.3, 20}));

@@ -18,7 +18,7 @@ std::vector<RayTree> treesOf(const RenderScene& scene, const Camera& camera, con
 
 class TracedPaths : public testing::Test {
  protected:
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   const ImageRequest request = smallImage(48, 40);
   const std::vector<RayTree> trees = treesOf(scene, studioCamera(), request);
 };
@@ -114,7 +114,7 @@ TEST_F(TracedPaths, ContributionsOfChildrenAddUp) {
 }
 
 TEST(TracePath, WithoutShadowsEveryLightInFrontReachesTheSurface) {
-  const RenderScene scene = buildScene(makeUpdater());
+  const RenderScene scene = buildScene(makeStudio());
   ImageRequest request = smallImage(24, 24);
   request.shadows = false;
   for (const RayTree& tree : treesOf(scene, studioCamera(), request)) {
