@@ -54,7 +54,10 @@ bool makesMistakes(const VertexMap& map, const OpticPath& path) {
 MappedPoint mapPoint(const VertexMap& map, const Point& original) {
   const Vector towards = original - map.eye;
   if (!(lengthSquared(towards) > 0)) return {original, PathStatus::inFrontOfMirror};
-  const OpticPath path = followRay(map.optic, {map.eye, towards});
+  return mapAlong(map, followRay(map.optic, {map.eye, towards}), original);
+}
+
+MappedPoint mapAlong(const VertexMap& map, const OpticPath& path, const Point& original) {
   if (makesMistakes(map, path)) return mapPublished(map, path, original);
   const double exitLength = map.depthScale * (1 - path.travelled);
   const PathStatus status = statusOf(map.optic, path, exitLength);

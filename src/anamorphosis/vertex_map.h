@@ -22,6 +22,8 @@ struct MappedPoint {
   PathStatus status;
 };
 MappedPoint mapPoint(const VertexMap& map, const Point& original);
+/// The same when the path of the ray from the eye to `original` is known.
+MappedPoint mapAlong(const VertexMap& map, const OpticPath& path, const Point& original);
 
 /// The ray through a point as the published formulas have it, where the map makes mistakes.
 struct PublishedRay {

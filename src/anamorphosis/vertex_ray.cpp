@@ -22,13 +22,15 @@ VertexRay makeVertexRay(const VertexMap& map, const Point& original) {
   VertexRay ray;
   ray.eye = map.eye;
   ray.original = original;
-  const MappedPoint mapped = mapPoint(map, original);
+  ray.sculpture = original;
+  ray.status = PathStatus::inFrontOfMirror;  // the eye itself
+  const Vector towards = original - map.eye;
+  if (!(lengthSquared(towards) > 0)) return ray;
+  const double length = glm::length(towards);
+  const OpticPath path = followRay(map.optic, {map.eye, towards});
+  const MappedPoint mapped = mapAlong(map, path, original);
   ray.sculpture = mapped.point;
   ray.status = mapped.status;
-  const Vector towards = original - map.eye;
-  const double length = glm::length(towards);
-  if (!(length > 0)) return ray;
-  const OpticPath path = followRay(map.optic, {map.eye, towards});
   ray.bends = path.bends;
   ray.distance = std::abs(1 - path.travelled) * length;
   for (std::size_t i = 0; i < static_cast<std::size_t>(path.pointCount); ++i) {

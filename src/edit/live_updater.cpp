@@ -28,10 +28,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-bool isSameScene(const LevelScene& a, const LevelScene& b) {
-  return a == b;
-}
-
 std::shared_ptr<const Image> shared(std::optional<Image> image) {
   return image ? std::make_shared<const Image>(std::move(*image)) : nullptr;
 }
@@ -97,8 +93,7 @@ void LiveUpdater::openLevel(const Session& session) {
 
 LiveUpdater::PictureSubject LiveUpdater::reflectionSubject() const {
   const LevelScene& level = result_.level;
-  return {makeReflectionScene(level, result_.sculpture), level.camera, level.grid.columns, level.grid.rows,
-          level.tracing};
+  return {result_.scene->input, level.camera, level.grid.columns, level.grid.rows, level.tracing};
 }
 LiveUpdater::PictureSubject LiveUpdater::originalSubject() const {
   const LevelScene& level = result_.level;
@@ -138,6 +133,7 @@ bool LiveUpdater::takeResults(const Session& session) {
 void LiveUpdater::take(LevelResult evaluated) {
   const LevelResult before = std::exchange(result_, std::move(evaluated));
   noteSculpture();
+  makeScene();
   if (result_.problem) {
     of_.match.reset();
   } else if (result_.match) {
@@ -177,6 +173,7 @@ void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) 
   liveTimes_ = {};
   if (!result_.shape || large()) {
     result_.refined = false;
+    makeScene();
     return;
   }
   {
@@ -186,6 +183,7 @@ void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) 
   {
     const Stopwatch watch(liveTimes_.sculpture);
     followSculpture();
+    makeScene();
   }
   const bool compare = !result_.problem && !(of_.match == matchSubject());
   {
@@ -239,7 +237,7 @@ void LiveUpdater::takeCoarsePictures(bool wantOriginal, bool compare) {
   ImageRequest request = makeImageRequest(level, width, height, frameThreads_);
   request.samplesPerAxis = 1;
   if (PictureSubject subject = reflectionSubject(); !(of_.reflection == subject)) {
-    result_.previews.reflection = shared(render(*reflectionScene(), level.camera, request));
+    result_.previews.reflection = shared(render(*result_.scene, level.camera, request));
     of_.reflection = std::move(subject);
     ++liveCounts_.pictures;
   }
@@ -276,10 +274,11 @@ void LiveUpdater::followMatch(bool compare) {
   result_.previews.difference = std::make_shared<const Image>(markDifferences(*original, *match));
 }
 
-std::shared_ptr<const RenderScene> LiveUpdater::reflectionScene() {
-  return scene_.get(makeReflectionScene(result_.level, result_.sculpture), [](const SceneInput& input) {
-    return std::make_shared<const RenderScene>(buildScene(input));
-  });
+void LiveUpdater::makeScene() {
+  if (!result_.sculpture.sculpture) return;
+  result_.scene = scene_.get(
+      makeReflectionScene(result_.level, result_.sculpture),
+      [](const SceneInput& input) { return std::make_shared<const RenderScene>(buildScene(input)); });
 }
 
 void LiveUpdater::request(const Session& session, const UpdateOptions& options) {
@@ -311,14 +310,7 @@ void LiveUpdater::request(const Session& session, const UpdateOptions& options) 
 bool LiveUpdater::updateRays(const UpdateOptions& options) {
   const Level& level = result_.level;
   const auto before = std::pair{result_.screen, result_.trees};
-  if (!result_.sculpture.sculpture) {
-    const bool had = result_.scene != nullptr;
-    result_.scene = nullptr;
-    result_.screen = nullptr;
-    result_.trees = nullptr;
-    return had;
-  }
-  result_.scene = reflectionScene();
+  if (!result_.scene) return false;  // nothing is there yet
   const Camera& camera = level.camera;
   ImageRequest request = makeImageRequest(level, level.grid.columns, level.grid.rows, frameThreads_);
   if (request.width * request.height > maxSampledCells) request.samplesPerAxis = 1;

@@ -86,7 +86,7 @@ class LiveUpdater {
   void followSculpture();
   void takeCoarsePictures(bool wantOriginal, bool compare);
   void followMatch(bool compare);
-  std::shared_ptr<const RenderScene> reflectionScene();
+  void makeScene();
   void request(const Session& session, const UpdateOptions& options);
   bool updateRays(const UpdateOptions& options);
   bool large() const;

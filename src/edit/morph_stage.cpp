@@ -18,7 +18,7 @@ PreparedSculpture MorphStage::make(const Input& input, int threads) {
     ring_ = {};
   }
   const Sculpture& goal = *input.sculpture.sculpture;
-  const auto moving = ring_.take({goal, *prepared.bvh, *prepared.normals});
+  const auto moving = ring_.take([&] { return MovingMesh{goal, *prepared.bvh, *prepared.normals}; });
   Sculpture& sculpture = moving->sculpture;
   sculpture.original = goal.original;
   sculpture.status = goal.status;

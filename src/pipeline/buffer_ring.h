@@ -11,15 +11,16 @@ namespace anamorph {
 template <typename T>
 class BufferRing {
  public:
-  /// A buffer that nobody else holds: one of those handed out before, else a copy of `prototype`.
-  std::shared_ptr<T> take(const T& prototype) {
+  /// A buffer that nobody else holds: one of those handed out before, else what make() gives.
+  template <typename Make>
+  std::shared_ptr<T> take(const Make& make) {
     for (const std::shared_ptr<T>& buffer : buffers_) {
       if (buffer.use_count() != 1) continue;
       // What another thread read before it let go comes before what is written now.
       std::atomic_thread_fence(std::memory_order_acquire);
       return buffer;
     }
-    buffers_.push_back(std::make_shared<T>(prototype));
+    buffers_.push_back(std::make_shared<T>(make()));
     return buffers_.back();
   }
 

@@ -20,8 +20,8 @@ struct EvaluationInput {
   int previewSize = 256;            ///< longer side of the pictures in pixels; 0: the pixel grid's resolution
 
   bool operator==(const EvaluationInput& other) const {
-    const LevelScene &scene = level, &otherScene = other.level;
-    return scene == otherScene && levelPath == other.levelPath && previewSize == other.previewSize;
+    return isSameScene(level, other.level) && levelPath == other.levelPath &&
+           previewSize == other.previewSize;
   }
 };
 

@@ -65,7 +65,7 @@ LiveOriginal::LiveOriginal(std::shared_ptr<const Mesh> shape, PreparedMesh place
 PreparedMesh LiveOriginal::place(bool unitized, const Placement& placement, int threads) {
   if (unitized && !unitized_) unitized_ = std::make_shared<const Mesh>(unitize(*shape_));
   const PointArray& from = unitized ? unitized_->positions : shape_->positions;
-  const std::shared_ptr<MovingMesh> moving = ring_.take(prototype_);
+  const std::shared_ptr<MovingMesh> moving = ring_.take([&] { return prototype_; });
   Mesh& mesh = moving->sculpture.mesh;
   PointArray& to = mesh.positions;
   const PlacementMap map(placement);
@@ -111,7 +111,7 @@ void LiveSculpture::placeSources(const PointArray& original, PointArray& points)
 
 PreparedSculpture LiveSculpture::follow(const VertexMap& map, const std::shared_ptr<const Mesh>& original,
                                         int threads) {
-  const std::shared_ptr<Buffer> buffer = ring_.take(prototype_);
+  const std::shared_ptr<Buffer> buffer = ring_.take([&] { return prototype_; });
   const std::shared_ptr<MovingMesh> moving(buffer, &buffer->moving);
   Sculpture& sculpture = moving->sculpture;
   if (buffer->original != original) {
