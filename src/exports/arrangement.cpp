@@ -81,10 +81,9 @@ std::optional<Sight> findSight(const LevelResult& finished, const Ray& ray) {
   if (sight.ends) return std::nullopt;
   Sight found{{ray.origin}, sight.last, 0};
   for (int i = 0; i < sight.bendCount; ++i) {
-    const Point from = found.points.back(), to = sight.bends[static_cast<std::size_t>(i)];
-    if (sculpture.anyHit({from, to - from}, 0, 1)) return std::nullopt;
-    found.points.push_back(to);
+    found.points.push_back(sight.bends[static_cast<std::size_t>(i)]);
   }
+  if (standsInTheWay(sculpture, found.points)) return std::nullopt;
   BvhHit hit;
   if (!sculpture.closestHit(found.last, hit)) return std::nullopt;
   found.t = hit.t;

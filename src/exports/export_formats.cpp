@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/folder.h"
+#include "base/text.h"
 #include "exports/export_writers.h"
 
 namespace anamorph {
@@ -76,15 +77,6 @@ std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
     if (!format.askedBy && hasEnding(format, path)) return format.kind;
   }
   return std::nullopt;
-}
-
-std::string alternatives(const std::vector<std::string>& texts) {
-  std::string list;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    if (i > 0) list += i + 1 < texts.size() ? ", " : " or ";
-    list += texts[i];
-  }
-  return list;
 }
 
 std::string exportEndings(ExportKind kind) {

@@ -52,9 +52,6 @@ bool hasEnding(const ExportFormat& format, const std::filesystem::path& path);
 /// The kind that a file's ending asks for; .obj is a sculpture. Nothing for an unknown ending.
 std::optional<ExportKind> findExportKind(const std::filesystem::path& path);
 
-/// "a, b or c", for messages.
-std::string alternatives(const std::vector<std::string>& texts);
-
 /// The endings of a kind, for messages: ".obj, .stl or .ply".
 std::string exportEndings(ExportKind kind);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace anamorph {
 namespace {
@@ -12,12 +13,9 @@ namespace {
 using Kind = JsonValue::Kind;
 
 std::string inQuotes(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-    text += quoteJson(names[i]);
-  }
-  return text;
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back(quoteJson(name));
+  return alternatives(quoted);
 }
 
 std::string numbersFrom(Range range, bool whole) {

@@ -111,12 +111,8 @@ struct ConeMirror {
   ShapeExtent extent() const { return {middle(), axis(), 2 * widest(), height()}; }
   static ConeMirror filling(const ShapeExtent& e, const Point& eye) {
     constexpr double narrowing = 0.3;
-    const Vector towards = eye - e.middle, half = 0.5 * e.height * e.up;
-    const double along = glm::dot(towards, e.up), distance = glm::length(towards - along * e.up);
-    // An eye below it must not be inside the cone continued.
-    const double atEye = 1 - (1 - narrowing) * (along / e.height + 0.5);
-    const double most = 0.5 * distance / std::max(1.0, atEye);
-    const double r = distance > 1e-6 ? std::min(0.5 * e.width, most) : 0.5 * e.width;
+    const Vector half = 0.5 * e.height * e.up;
+    const double r = fillingRadius(e, eye, narrowing);
     return {e.middle - half, e.middle + half, r, narrowing * r};
   }
   void map(const ShapeMap& map) {
@@ -142,9 +138,8 @@ struct ConeMirror {
   // ---- How it is drawn and described
 
   Point pointAt(double u, double v) const {
-    const Direction a = axis(), x = perpendicular(a), y = glm::cross(a, x);
-    const double angle = 2 * pi * u, radius = (1 - v) * bottomRadius + v * topRadius;
-    return glm::mix(bottom, top, v) + radius * (std::cos(angle) * x + std::sin(angle) * y);
+    const double radius = (1 - v) * bottomRadius + v * topRadius;
+    return glm::mix(bottom, top, v) + radius * around(axis(), u);
   }
   std::array<int, 2> gridFor(int segments) const { return {segments, 1}; }
   SurfaceLines lines() const { return {16, 4, true, 48, 1, {}, {0, 1}}; }

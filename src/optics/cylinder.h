@@ -93,10 +93,8 @@ struct CylinderMirror {
   Axes axes() const { return axesAlong(axis()); }
   ShapeExtent extent() const { return {middle(), axis(), 2 * radius, glm::length(top - bottom)}; }
   static CylinderMirror filling(const ShapeExtent& e, const Point& eye) {
-    const Vector towards = eye - e.middle, half = 0.5 * e.height * e.up;
-    const double distance = glm::length(towards - glm::dot(towards, e.up) * e.up);
-    const double r = distance > 1e-6 ? std::min(0.5 * e.width, 0.5 * distance) : 0.5 * e.width;
-    return {e.middle - half, e.middle + half, r};
+    const Vector half = 0.5 * e.height * e.up;
+    return {e.middle - half, e.middle + half, fillingRadius(e, eye)};
   }
   void map(const ShapeMap& map) {
     radius = map.size(radius, {map.factors.x, map.factors.y});
@@ -113,11 +111,7 @@ struct CylinderMirror {
 
   // ---- How it is drawn and described
 
-  Point pointAt(double u, double v) const {
-    const Direction a = axis(), x = perpendicular(a), y = glm::cross(a, x);
-    const double angle = 2 * pi * u;
-    return glm::mix(bottom, top, v) + radius * (std::cos(angle) * x + std::sin(angle) * y);
-  }
+  Point pointAt(double u, double v) const { return glm::mix(bottom, top, v) + radius * around(axis(), u); }
   std::array<int, 2> gridFor(int segments) const { return {segments, 1}; }
   SurfaceLines lines() const { return {16, 4, true, 48, 1, {}, {0, 1}}; }
   std::optional<double> circleFromAbove() const {

@@ -45,6 +45,10 @@ bool isVisible(const Optic& optic) {
                      [](const OpticPart& part) { return traitsOf(part.kind).visible; });
 }
 
+bool isShown(const Optic& optic) {
+  return isVisible(optic) && !findShapeProblem(optic.shape());
+}
+
 const char* surfaceName(const Optic& optic) {
   return traitsOf(optic.parts.front().kind).surface;
 }

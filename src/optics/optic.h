@@ -52,6 +52,9 @@ struct Optic {
 /// Whether it is a thing that stands there, to be seen and built.
 bool isVisible(const Optic& optic);
 
+/// Whether pictures show it: it stands there, and its shape is sound.
+bool isShown(const Optic& optic);
+
 /// What its surface is called in messages: "mirror", "canvas".
 const char* surfaceName(const Optic& optic);
 

@@ -1,5 +1,6 @@
 #include "optics/shape_helpers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,6 +40,20 @@ std::optional<std::string> findDistanceProblem(double distance, double radius) {
       fmt::runtime(tr("the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could "
                       "be seen in it. Make the radius larger, or move the eye nearer.")),
       radius, distance);
+}
+
+Direction around(const Direction& axis, double fraction) {
+  const Direction x = perpendicular(axis), y = glm::cross(axis, x);
+  const double angle = 2 * pi * fraction;
+  return std::cos(angle) * x + std::sin(angle) * y;
+}
+
+double fillingRadius(const ShapeExtent& room, const Point& eye, double narrowing) {
+  const Vector towards = eye - room.middle;
+  const double along = glm::dot(towards, room.up), distance = glm::length(towards - along * room.up);
+  if (!(distance > 1e-6)) return 0.5 * room.width;
+  const double atEye = 1 - (1 - narrowing) * (along / room.height + 0.5);  // times as wide as at the bottom
+  return std::min(0.5 * room.width, 0.5 * distance / std::max(1.0, atEye));
 }
 
 Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB) {

@@ -24,6 +24,13 @@ Direction wayOut(const Vector& outwards, const Vector& fromOriginal, const Direc
 /// The scene's axes turned by the shortest way that brings z to `axis`, which is unit.
 Axes axesAlong(const Direction& axis);
 
+/// The direction across an axis at a fraction of the way around it.
+Direction around(const Direction& axis, double fraction);
+
+/// The radius at the bottom of a round mirror that fills a room and is `narrowing` times as wide at its top: half as
+/// far from the axis as the eye at most, which is outside of it, continued.
+double fillingRadius(const ShapeExtent& room, const Point& eye, double narrowing = 1);
+
 /// The box of two discs that face each other.
 Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB);
 

@@ -196,7 +196,7 @@ MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
 SceneInput makeReflectionScene(const LevelScene& level, const PreparedSculpture& sculpture) {
   SceneInput scene;
   scene.surfaces.push_back(surfaceOf("sculpture", sculpture.prepared, level.sculpture.material));
-  if (isVisible(level.optic) && !findShapeProblem(level.optic.shape())) {
+  if (isShown(level.optic)) {
     scene.optic = OpticSurface{level.optic, level.mirrorLook.tint, level.mirrorLook.reflectance};
   }
   if (level.ground.visible) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/folder.h"
+#include "base/text.h"
 #include "geometry/mesh_files.h"
 
 namespace anamorph {
