@@ -13,10 +13,6 @@
 namespace anamorph {
 namespace {
 
-Box mirrorBox(const Level& level) {
-  return findShapeProblem(level.optic.shape()) ? Box{} : boxOf(level.optic.shape());
-}
-
 // Keeps what is to be found again when the session has gone from this level to another.
 class Leaving {
  public:
@@ -116,7 +112,7 @@ Box boxOf(const Editor& editor, const Selection& selection) {
   const Level& level = editor.session.level();
   const Box original = originalBox(editor), sculpture = sculptureBox(editor);
   if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
-  Box box = mirrorBox(level);
+  Box box = boxOf(level.optic);
   box.extend(original);
   box.extend(sculpture);
   if (editor.display.rtCamera) box.extend(level.camera.eye);
@@ -128,7 +124,7 @@ const std::optional<Construction>& currentConstruction(Editor& editor) {
   const LevelResult& result = editor.updater.result();
   if (!editor.point || !result.original.mesh) return none;
   if (!isOn(*result.original.mesh, *editor.point)) return none;
-  if (findShapeProblem(result.level.optic.shape())) return none;
+  if (findProblem(result.level.optic)) return none;
   return editor.construction.at(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
 }
 

@@ -57,7 +57,7 @@ double heightOf(const Point& eye, const Point& pivot) {
 std::optional<Level> originalFittedToMirror(const Level& level, const PointArray& placed) {
   const Box box = boundingBox(placed);
   if (box.empty() || !(box.diagonal() > 0) || !isFinite(box.centre())) return std::nullopt;
-  if (findShapeProblem(level.optic.shape()) || findEyeProblem(level.optic.shape(), level.camera.eye))
+  if (findProblem(level.optic) || findEyeProblem(level.optic, level.camera.eye))
     return std::nullopt;
   const Point centre = box.centre();
   Fits fits(level, placed, centre);

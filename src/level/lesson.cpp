@@ -107,7 +107,7 @@ static void fields(FieldReader& at, StepMove& move) {
   name(at, "preview", move.preview, namesOf(previewTabs));
   name(at, "rays", move.rays, raySources);
   name(at, "putRight", move.putRight, mistakeNames);
-  name(at, "shape", move.shape, {"box", "sphere", "torusKnot", "letterF", "pawn"});
+  name(at, "shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
   optional(at, "segments", move.segments, limits::boxSegments.level);
   name(at, "mirrorKind", move.mirrorKind, namesOf(shapeNames()));
   at.field("lookThrough", move.lookThrough);

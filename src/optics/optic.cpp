@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/check.h"
+#include "base/language.h"
 #include "optics/reflect.h"
 
 namespace anamorph {
@@ -46,11 +49,36 @@ bool isVisible(const Optic& optic) {
 }
 
 bool isShown(const Optic& optic) {
-  return isVisible(optic) && !findShapeProblem(optic.shape());
+  return isVisible(optic) && !findProblem(optic);
 }
 
 const char* surfaceName(const Optic& optic) {
   return traitsOf(optic.parts.front().kind).surface;
+}
+
+std::optional<std::string> findProblem(const Optic& optic) {
+  for (const OpticPart& part : optic.parts) {
+    const auto problem = findShapeProblem(part.shape);
+    if (!problem) continue;
+    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(part.shape)),
+                       tr(traitsOf(part.kind).surface), *problem);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> findEyeProblem(const Optic& optic, const Point& eye) {
+  for (const OpticPart& part : optic.parts) {
+    if (auto problem = findEyeProblem(part.shape, eye)) return problem;
+  }
+  return std::nullopt;
+}
+
+Box boxOf(const Optic& optic) {
+  Box box;
+  for (const OpticPart& part : optic.parts) {
+    if (!findShapeProblem(part.shape)) box.extend(boxOf(part.shape));
+  }
+  return box;
 }
 
 std::optional<OpticHit> intersect(const Optic& optic, const Ray& ray, double tMin) {

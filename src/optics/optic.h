@@ -52,11 +52,21 @@ struct Optic {
 /// Whether it is a thing that stands there, to be seen and built.
 bool isVisible(const Optic& optic);
 
-/// Whether pictures show it: it stands there, and its shape is sound.
+/// Whether pictures show it: it stands there, and its shapes are sound.
 bool isShown(const Optic& optic);
 
 /// What its surface is called in messages: "mirror", "canvas".
 const char* surfaceName(const Optic& optic);
+
+/// The first part's fault that has one (findShapeProblem), as a sentence that names the part; nothing when all are
+/// sound.
+std::optional<std::string> findProblem(const Optic& optic);
+
+/// Why no anamorphosis can be made of a sound optic from this eye: the first part's reason that has one.
+std::optional<std::string> findEyeProblem(const Optic& optic, const Point& eye);
+
+/// Of its sound parts; empty when there is none.
+Box boxOf(const Optic& optic);
 
 /// Where a ray meets the optic.
 struct OpticHit : SurfaceHit {

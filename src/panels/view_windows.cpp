@@ -60,7 +60,7 @@ void repairButtons(Editor& editor, UiState& ui) {
   if (!(outside == level)) {
     if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(outside);
     ImGui::SameLine();
-  } else if (!findShapeProblem(level.optic.shape())) {
+  } else if (!findProblem(level.optic)) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
       if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);

@@ -90,12 +90,8 @@ const char* explainStatus(PathStatus status) {
 }
 
 std::optional<std::string> findProblem(const LevelScene& level, const Box& box) {
-  const Shape& shape = level.optic.shape();
-  if (auto problem = findShapeProblem(shape)) {
-    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(shape)),
-                       tr(surfaceName(level.optic)), *problem);
-  }
-  if (auto problem = findEyeProblem(shape, level.camera.eye)) return problem;
+  if (auto problem = findProblem(level.optic)) return problem;
+  if (auto problem = findEyeProblem(level.optic, level.camera.eye)) return problem;
   if (contains(box, level.camera.eye)) {
     return tr(
         "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "

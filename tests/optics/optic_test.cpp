@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "optics/reflect.h"
@@ -65,6 +66,20 @@ TEST(FollowRay, WhatStandsInTheWayIsNoWayThrough) {
   periscope.parts.push_back({OpticKind::mirror, SphereMirror{{0, 0, 2.5}, 0.5}});
   EXPECT_EQ(followRay(periscope, {{0, -5, 0}, {0, 3, 0}}).pointCount, 0);
   EXPECT_EQ(statusOf(periscope, followRay(periscope, {{0, -5, 0}, {0, 3, 0}}), 1), PathStatus::missesMirror);
+}
+
+TEST(FindProblem, AsksEveryPart) {
+  Optic optic{OpticKind::mirror, PlaneMirror{}};
+  optic.parts.push_back({OpticKind::mirror, SphereMirror{Point(9), 1}});
+  EXPECT_EQ(findProblem(optic), std::nullopt);
+  EXPECT_EQ(boxOf(optic).max, Point(10));
+  EXPECT_EQ(findEyeProblem(optic, {0, -9, 0}), std::nullopt);
+  EXPECT_THAT(findEyeProblem(optic, Point(9)).value_or(""), ::testing::HasSubstr("inside"));
+
+  optic.parts.back().shape = SphereMirror{Point(9), -1};
+  EXPECT_THAT(findProblem(optic).value_or(""), ::testing::StartsWith("the sphere mirror cannot be used: "));
+  EXPECT_FALSE(isShown(optic));
+  EXPECT_EQ(boxOf(optic).max, boxOf(Shape(PlaneMirror{})).max);
 }
 
 TEST(StatusOf, NamesWhatBecomesOfARay) {
