@@ -1,11 +1,14 @@
 #include "edit/session.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <system_error>
 #include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/language.h"
+#include "edit/history_bytes.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
 
@@ -102,9 +105,21 @@ void Session::finishChange() {
   if (!before_) return;
   Level before = *std::exchange(before_, std::nullopt);
   if (before == level_) return;
-  if (undo_.size() == maxSteps) undo_.erase(undo_.begin());
-  undo_.push_back(std::move(before));
   redo_.clear();
+  remember(std::move(before));
+}
+
+void Session::remember(Level before) {
+  undo_.push_back(std::move(before));
+  shareText(level_, undo_);
+  const std::size_t kept = std::min(maxSteps, countWithin(undo_, maxHistoryBytes));
+  undo_.erase(undo_.begin(), undo_.end() - static_cast<std::ptrdiff_t>(kept));
+}
+
+std::size_t Session::historyBytes() const {
+  std::vector<Level> all = undo_;
+  all.insert(all.end(), redo_.begin(), redo_.end());
+  return bytesOf(all);
 }
 
 void Session::cancelChange() {

@@ -8,9 +8,12 @@
 //      |<------------- one step ---------------->|   back to before a
 //
 // The level as it is in its file is remembered too: it tells whether there is anything to save. Saving is no
-// step: the history goes on through it, and undoing a change that was saved makes the level a modified one.
+// step: the history goes on through it, and undoing a change that was saved makes the level a modified one. Levels of the
+// history share their words where those are the same (level.h); the oldest steps are forgotten when there are too many,
+// or when together they take too much memory.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -64,6 +67,10 @@ class Session {
   /// A whole change at once.
   void edit(Level level);
 
+  /// What all steps, back and forth, keep in memory (history_bytes.h).
+  std::size_t historyBytes() const;
+  static constexpr std::size_t maxHistoryBytes = std::size_t{256} << 20;
+
   /// How many steps back were taken, since the program started.
   int undoCount() const { return undoCount_; }
 
@@ -81,6 +88,7 @@ class Session {
  private:
   void begin(std::filesystem::path path, Level level);
   void setPath(std::filesystem::path path);
+  void remember(Level before);
 
   std::filesystem::path path_;
   bool isInstalled_ = false, isThesisScene_ = false;

@@ -2,7 +2,6 @@
 // saved is not lost.
 
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,6 +22,7 @@
 #include "level/random_level.h"
 #include "pipeline/original.h"
 #include "shapes.h"
+#include "small_disk.h"
 
 namespace anamorph {
 namespace {
@@ -38,26 +38,6 @@ Level numbered(int number) {
   level.sculpture.depthScale = 1 + number;
   return level;
 }
-
-// Files can grow to so many bytes only, as on a disk that is full.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    ::signal(SIGXFSZ, handler_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 TEST(SessionFiles, RandomLevelsAreTheSameAfterSavingAndOpening) {
   const TemporaryFolder folder;
