@@ -1,14 +1,14 @@
-// Unsaved changes are kept in the state folder, so that a crash, an empty battery or a kill costs little.
-// Each window has a file of its own, and a lock that the system takes away when the window dies, however it
-// dies:
+// Unsaved changes are kept in the state folder, so that a crash, an empty battery or a kill costs little: the open level
+// and those that were left changed, each in a file of its own (recovery_files.h). Autosave only says when; a queue writes,
+// and no frame waits for it:
 //
-//   a window lives:   recovery-4711.lock held      recovery-4711.json   nobody else's business
-//   it has died:      recovery-4711.lock free      recovery-4711.json   offered by the next one that starts
+//   change  change change   change    change  change            a drag, for example
+//   |-- gatherSeconds -->| kept           |-- leastSeconds -->| kept
 //
-// The file is written by a worker, atomically. It goes away when the level is saved, and when the window ends
-// as it should. Installed levels that were left changed have such files, too.
+// What is not wanted any more, because it is saved, goes away, but not before all that is wanted is kept.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -17,87 +17,59 @@
 #include <string>
 #include <vector>
 
+#include "app/recovery_files.h"
+#include "app/write_queue.h"
 #include "edit/session.h"
-#include "panels/recovery_dialog.h"
-#include "pipeline/worker.h"
 
 namespace anamorph {
 
-/// A lock file that is held. Empty when it could not be had.
-class FileLock {
- public:
-  FileLock() = default;
-  /// Makes the file where there is none. Not held afterwards when another process holds it.
-  explicit FileLock(const std::filesystem::path& path);
-  ~FileLock();
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-
-  bool held() const { return descriptor_ >= 0; }
-  /// Removes the file and lets go of it.
-  void removeFile();
-
- private:
-  std::filesystem::path path_;
-  int descriptor_ = -1;
-};
-
-/// A file in the state folder, and the lock by which nobody else offers it meanwhile.
-struct RecoveryFile {
-  std::filesystem::path file;  ///< empty: none yet
-  FileLock lock;
-
-  /// Both from the disk.
-  void remove();
-};
-
-/// Something that was rescued, and what is in it.
-struct Rescued : RecoveryFile {
-  std::filesystem::path levelPath;
-  Level level;
-  std::optional<std::filesystem::file_time_type> fileTime;  ///< of the level's file, as that session knew it
-  RecoveryEntry entry;
-};
-
-/// What windows that have died have left, newest first; files that cannot be read are among them and say why.
-std::vector<Rescued> findRescued(const std::filesystem::path& folder);
-
 class Autosave {
  public:
-  explicit Autosave(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Levels that were left without saving, by their paths.
+  using LeftLevels = std::map<std::filesystem::path, Level>;
+
+  /// `wake` is called from another thread when update() has news.
+  explicit Autosave(std::filesystem::path folder, std::function<void()> wake = {});
   /// Ends as it should: nothing stays. While an exception is on its way, all stays.
   ~Autosave();
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
 
-  /// Once a frame; `now` in seconds. Begins to write when it is time: three seconds after a change, at most
-  /// every six seconds, and every two minutes while one goes on. Returns what went wrong with the last one.
-  std::optional<std::string> update(const Session& session, double now);
-  /// Likewise what the window has of levels that it has left: each in a file of its own, at once.
-  std::optional<std::string> keepLeft(const std::map<std::filesystem::path, Level>& left);
-  /// Writes at once. Throws Error.
-  void writeNow(const Session& session);
+  /// Once a frame; `now` in seconds of a clock that never goes back. Lets write what is due, and tries again what has
+  /// failed. Returns what is to be said: why it failed, once, and when all is well again.
+  std::optional<std::string> update(const Session& session, const LeftLevels& left, double now);
+  /// The session's level is from now on what was rescued and is in this file.
+  void adopt(RecoveryFile rescued);
 
   /// Seconds until update() has something to do though nothing happens; nothing when it has not.
   std::optional<double> secondsUntilDue(double now) const;
+  /// Waits until what update() has let write is written, at most `seconds`. Returns whether it is.
+  bool finish(double seconds) { return queue_.finish(seconds); }
 
-  static constexpr double restSeconds = 3, leastSeconds = 6, mostSeconds = 120;
+  /// From the first change that is not kept, and between two writings: together the most that is ever lost.
+  static constexpr double gatherSeconds = 1, leastSeconds = 4;
 
  private:
-  std::optional<double> due() const;
-  struct Left {
-    RecoveryFile slot;
-    Level level;
+  /// A level that is not saved.
+  struct Document {
+    std::shared_ptr<RecoveryFile> file = std::make_shared<RecoveryFile>();  // the queue's jobs have it
+    std::optional<Level> kept;                                              // that the file holds, or will
+    std::optional<double> changed;                                          // since when it is another one
+    double written = -1e9;                                                  // when the last was let write
+
+    double due() const { return std::max(*changed + gatherSeconds, written + leastSeconds); }
   };
-  RecoveryFile freshSlot() const;
-  void write(const Session& session, bool wait);
+
+  std::optional<std::string> takeNews();
+  void want(const std::string& name, const std::filesystem::path& path, const Level& level,
+            const std::optional<FileTime>& fileTime, double now);
+  void removeUnwanted();
 
   std::filesystem::path folder_;
-  RecoveryFile slot_;
-  std::map<std::filesystem::path, Left> left_;
-  std::optional<Level> kept_;  // that the file holds, or will
-  std::optional<Level> seen_;  // of the last update, while it is modified
-  bool onDisk_ = false, changing_ = false;
-  double lastChange_ = 0, lastWrite_ = -1e9;
-  std::unique_ptr<Worker> worker_;
+  std::map<std::string, Document> documents_;            // that are wanted, by the names of their jobs
+  std::vector<std::shared_ptr<RecoveryFile>> unwanted_;  // files of others, that go away in time
+  std::string failure_;                                  // that was said
+  WriteQueue queue_;
 };
 
 }  // namespace anamorph

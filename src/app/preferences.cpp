@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/file_lock.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
@@ -18,6 +19,7 @@ namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
+constexpr std::size_t maxBytes = std::size_t{1} << 20;
 constexpr std::array<const char*, 3> themeNames{"dark", "light", "projector"};
 
 void read(const JsonValue& object, const char* key, double& value, double min, double max) {
@@ -28,6 +30,33 @@ void read(const JsonValue& object, const char* key, double& value, double min, d
 void read(const JsonValue& object, const char* key, bool& value) {
   const JsonValue* found = findMember(object, key);
   if (found && found->kind == JsonValue::Kind::boolean) value = found->text == "true";
+}
+
+JsonValue toJson(const Preferences& p) {
+  return JsonObject()
+      .add("theme", std::string(themeName(p.theme)))
+      .add("language", p.language)
+      .add("uiScale", p.uiScale)
+      .add("vrtKeys", p.vrtKeys)
+      .add("legend", p.legend)
+      .add("tourSeen", p.tourSeen)
+      .add("leftWidth", std::round(p.leftWidth))
+      .add("rightWidth", std::round(p.rightWidth))
+      .add("previewHeight", std::round(p.previewHeight))
+      .value();
+}
+
+// What the file says, other programs' words too; an object without members where that is nothing.
+JsonValue keptIn(const fs::path& path) {
+  const JsonValue nothing{JsonValue::Kind::object, {}, 0, {}, {}};
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return nothing;
+  try {
+    const JsonValue kept = parseJson(readFile(path, maxBytes).view(), path.string());
+    return kept.kind == JsonValue::Kind::object ? kept : nothing;
+  } catch (const Error&) {
+    return nothing;
+  }
 }
 
 }  // namespace
@@ -43,7 +72,7 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return p;
   try {
-    const JsonValue json = parseJson(readFile(path, std::size_t{1} << 20).view(), path.string());
+    const JsonValue json = parseJson(readFile(path, maxBytes).view(), path.string());
     if (const JsonValue* theme = findMember(json, "theme"); theme && theme->kind == JsonValue::Kind::string) {
       const auto found = findTheme(theme->text);
       if (!found) {
@@ -70,20 +99,21 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   return p;
 }
 
-void savePreferences(const fs::path& path, const Preferences& p) {
+void savePreferences(const fs::path& path, const Preferences& before, const Preferences& now) {
   makeFolder(path.parent_path());
-  writeFile(path, formatJson(JsonObject()
-                                 .add("theme", std::string(themeName(p.theme)))
-                                 .add("language", p.language)
-                                 .add("uiScale", p.uiScale)
-                                 .add("vrtKeys", p.vrtKeys)
-                                 .add("legend", p.legend)
-                                 .add("tourSeen", p.tourSeen)
-                                 .add("leftWidth", std::round(p.leftWidth))
-                                 .add("rightWidth", std::round(p.rightWidth))
-                                 .add("previewHeight", std::round(p.previewHeight))
-                                 .value()) +
-                      "\n");
+  const SharedFileLock lock(path);
+  JsonValue kept = keptIn(path);
+  const JsonValue old = toJson(before), wanted = toJson(now);  // of the same keys
+  for (std::size_t i = 0; i < wanted.keys.size(); ++i) {
+    const auto there = std::find(kept.keys.begin(), kept.keys.end(), wanted.keys[i]);
+    if (there == kept.keys.end()) {
+      kept.keys.push_back(wanted.keys[i]);
+      kept.items.push_back(wanted.items[i]);
+    } else if (!(wanted.items[i] == old.items[i])) {
+      kept.items[static_cast<std::size_t>(there - kept.keys.begin())] = wanted.items[i];
+    }
+  }
+  writeFile(path, formatJson(kept) + "\n");
 }
 
 const char* themeName(Theme theme) {

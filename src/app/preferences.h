@@ -15,8 +15,9 @@ std::filesystem::path preferencesPath();
 /// What is not there, or makes no sense, has its default; `message` then says what is wrong with the file.
 Preferences loadPreferences(const std::filesystem::path& path, std::string& message);
 
-/// Makes the folder if needed and replaces the file atomically. Throws Error.
-void savePreferences(const std::filesystem::path& path, const Preferences& preferences);
+/// Puts what differs between `before` and `now` into the file, where another window may have written the rest, and
+/// replaces it atomically. A file that cannot be read is replaced as a whole. Makes the folder. Throws Error.
+void savePreferences(const std::filesystem::path& path, const Preferences& before, const Preferences& now);
 
 const char* themeName(Theme theme);
 std::optional<Theme> findTheme(const std::string& name);

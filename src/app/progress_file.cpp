@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/state_folder.h"
+#include "app/file_lock.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
@@ -37,6 +37,29 @@ LessonProgress parse(const JsonValue& json, const std::string& file) {
   return progress;
 }
 
+std::string format(const LessonProgress& progress) {
+  JsonObject lessons;
+  for (const auto& [lesson, steps] : progress) {
+    lessons.add(lesson, textList({steps.begin(), steps.end()}));
+  }
+  return formatJson(JsonObject()
+                        .add("format", std::string("anamorph-progress"))
+                        .add("version", std::size_t{1})
+                        .add("lessons", lessons.value())
+                        .value()) +
+         "\n";
+}
+
+// The steps that are new, not all: another window may have been told to forget the others.
+void add(LessonProgress& progress, const LessonProgress& now, const LessonProgress& before) {
+  for (const auto& [lesson, steps] : now) {
+    const auto known = before.find(lesson);
+    for (const std::string& step : steps) {
+      if (known == before.end() || known->second.count(step) == 0) progress[lesson].insert(step);
+    }
+  }
+}
+
 // What cannot be read is not written over.
 void setAside(const fs::path& path) {
   std::error_code failure;
@@ -45,10 +68,6 @@ void setAside(const fs::path& path) {
 }
 
 }  // namespace
-
-fs::path progressPath() {
-  return stateFolder() / "progress.json";
-}
 
 LessonProgress loadProgress(const fs::path& path, std::string& message) {
   std::error_code ignored;
@@ -61,24 +80,18 @@ LessonProgress loadProgress(const fs::path& path, std::string& message) {
   }
 }
 
-void saveProgress(const fs::path& path, LessonProgress progress) {
+void saveProgress(const fs::path& path, const LessonProgress& before, const LessonProgress& now) {
   makeFolder(path.parent_path());
+  const SharedFileLock lock(path);
+  std::error_code ignored;
+  const bool isThere = fs::exists(path, ignored);
   std::string broken;
-  const LessonProgress others = loadProgress(path, broken);
+  LessonProgress progress = loadProgress(path, broken);
   if (!broken.empty()) setAside(path);
-  if (!progress.empty()) {
-    for (const auto& [lesson, steps] : others) progress[lesson].insert(steps.begin(), steps.end());
-  }
-  JsonObject lessons;
-  for (const auto& [lesson, steps] : progress) {
-    lessons.add(lesson, textList({steps.begin(), steps.end()}));
-  }
-  writeFile(path, formatJson(JsonObject()
-                                 .add("format", std::string("anamorph-progress"))
-                                 .add("version", std::size_t{1})
-                                 .add("lessons", lessons.value())
-                                 .value()) +
-                      "\n");
+  if (now.empty()) progress.clear();
+  const LessonProgress nothing;
+  add(progress, now, isThere && broken.empty() ? before : nothing);
+  writeFile(path, format(progress));
 }
 
 }  // namespace anamorph

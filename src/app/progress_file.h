@@ -10,14 +10,12 @@
 
 namespace anamorph {
 
-std::filesystem::path progressPath();
-
 /// Without a file: nothing done yet. A broken one too, with what is wrong in `message`.
 LessonProgress loadProgress(const std::filesystem::path& path, std::string& message);
 
-/// Adds to what the file has, which another window may have written, and replaces it atomically; no progress at
-/// all replaces it by nothing. A broken file is first set aside, as progress.json.broken. Makes the folder.
-/// Throws Error.
-void saveProgress(const std::filesystem::path& path, LessonProgress progress);
+/// Adds what is in `now` and was not in `before` to what the file has, which another window may have written meanwhile,
+/// and replaces it atomically; no progress at all replaces it by nothing. Where there is no file, all of `now` is
+/// written; so it is in place of a broken one, which is first set aside as progress.json.broken. Makes the folder. Throws Error.
+void saveProgress(const std::filesystem::path& path, const LessonProgress& before, const LessonProgress& now);
 
 }  // namespace anamorph

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <system_error>
 
+#include "app/file_lock.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "level/json_object.h"
+#include "panels/ui_state.h"
 
 namespace anamorph {
 namespace {
@@ -33,6 +37,19 @@ JsonValue listOf(const Paths& paths) {
   return textList(std::vector<std::string>(paths.begin(), paths.end()));
 }
 
+void appendKept(const fs::path& folder, RecentFiles& recent) {
+  std::error_code ignored;
+  if (!fs::exists(recentFile(folder), ignored)) return;
+  try {
+    const JsonValue json =
+        parseJson(readFile(recentFile(folder), std::size_t{1} << 20).view(), recentFile(folder).string());
+    append(json, "levels", recent.levels, maxRecentLevels);
+    append(json, "folders", recent.folders, maxRecentFolders);
+  } catch (const Error&) {
+    // Nobody's work: it is written anew with the next level.
+  }
+}
+
 }  // namespace
 
 fs::path stateFolder() {
@@ -41,27 +58,21 @@ fs::path stateFolder() {
   return (usable ? fs::path(state) : homeFolder() / ".local/state") / "anamorph";
 }
 
-void loadRecent(const fs::path& folder, UiState& ui) {
-  std::error_code ignored;
-  if (!fs::exists(recentFile(folder), ignored)) return;
-  try {
-    const JsonValue json =
-        parseJson(readFile(recentFile(folder), std::size_t{1} << 20).view(), recentFile(folder).string());
-    append(json, "levels", ui.recentLevels, maxRecentLevels);
-    append(json, "folders", ui.browser.recentFolders, maxRecentFolders);
-  } catch (const Error&) {
-    // Nobody's work: it is written anew with the next level.
-  }
+RecentFiles loadRecent(const fs::path& folder) {
+  RecentFiles recent;
+  appendKept(folder, recent);
+  return recent;
 }
 
-void saveRecent(const fs::path& folder, UiState& ui) {
-  loadRecent(folder, ui);
+void saveRecent(const fs::path& folder, RecentFiles recent) {
   makeFolder(folder);
-  writeFile(recentFile(folder), formatJson(JsonObject()
-                                               .add("levels", listOf(ui.recentLevels))
-                                               .add("folders", listOf(ui.browser.recentFolders))
-                                               .value()) +
-                                    "\n");
+  const SharedFileLock lock(recentFile(folder));
+  appendKept(folder, recent);
+  writeFile(
+      recentFile(folder),
+      formatJson(
+          JsonObject().add("levels", listOf(recent.levels)).add("folders", listOf(recent.folders)).value()) +
+          "\n");
 }
 
 }  // namespace anamorph

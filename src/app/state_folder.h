@@ -2,24 +2,28 @@
 //
 //   $XDG_STATE_HOME/anamorph, or ~/.local/state/anamorph
 //     recent.json
-//     recovery-<pid>.json, .lock       unsaved changes of a window, and who has them (autosave.h)
+//     progress.json                    what a student has done (progress_file.h)
+//     recovery-<pid>.json, .lock       unsaved changes of a window, and who has them (recovery_files.h)
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
-
-#include "panels/ui_state.h"
 
 namespace anamorph {
 
 /// The folder, which may not exist yet.
 std::filesystem::path stateFolder();
 
+/// Newest first.
+struct RecentFiles {
+  std::vector<std::filesystem::path> levels, folders;
+  bool operator==(const RecentFiles&) const = default;
+};
+
 /// Recent levels and folders as they were kept; none where the file is missing or broken.
-void loadRecent(const std::filesystem::path& folder, UiState& ui);
+RecentFiles loadRecent(const std::filesystem::path& folder);
 
 /// Keeps them, those of other windows behind these. Makes the folder. Throws Error.
-void saveRecent(const std::filesystem::path& folder, UiState& ui);
+void saveRecent(const std::filesystem::path& folder, RecentFiles recent);
 
 }  // namespace anamorph

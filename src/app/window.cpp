@@ -19,7 +19,6 @@
 #include "app/gui.h"
 #include "app/key_taps.h"
 #include "app/preferences.h"
-#include "app/progress_file.h"
 #include "app/shot.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
@@ -131,20 +130,17 @@ std::filesystem::path freshScreenshotPath() {
 class MainWindow {
  public:
   MainWindow(const WindowOptions& options, Preferences preferences)
-      : stateLog_(options.stateLog), handle_(makeWindow(options)), saved_(preferences) {
+      : stateLog_(options.stateLog), handle_(makeWindow(options)) {
     glfwMakeContextCurrent(handle_.get());
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
-    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_);
-    std::string broken;
-    savedProgress_ = loadProgress(progressPath(), broken);
-    gui_->editor().progress = savedProgress_;
+    files_ =
+        std::make_unique<WindowFiles>(stateFolder(), preferencesPath(), *gui_, [] { glfwPostEmptyEvent(); });
     gui_->open(options.level);
     if (!options.model.empty()) importOriginal(gui_->editor(), options.model);
-    if (!broken.empty()) gui_->editor().message = broken;
     start(options);
     if (options.fullscreen) toggleFullscreen();
   }
@@ -169,10 +165,7 @@ class MainWindow {
       }
       drawFrame();
     }
-    keepPreferences();
   }
-
-  const Preferences& preferences() { return gui_->ui().preferences; }
 
  private:
   // Nothing is drawn, but what is not saved has to be kept.
@@ -214,7 +207,7 @@ class MainWindow {
       ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
     }
     glfwSwapBuffers(handle_.get());
-    files_->update(now);
+    if (files_->update(now)) wakeUp();
     stateLog_.add(*gui_);
     serveRequests();
     showTitle();
@@ -228,8 +221,6 @@ class MainWindow {
     if (const auto shot = std::exchange(saidShot_, std::nullopt)) takePicture(*shot);
     saidShot_ = std::exchange(requests.shot, std::nullopt);
     if (saidShot_) say(tr("The picture is being drawn..."));
-    keepProgress();
-    if (!(gui_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
   }
 
   void start(const WindowOptions& options) {
@@ -239,26 +230,6 @@ class MainWindow {
     if (options.present) perform(Action::present, editor, gui_->ui());
     if (options.tour && !options.present && !gui_->ui().preferences.tourSeen) {
       perform(Action::tour, editor, gui_->ui());
-    }
-  }
-
-  void keepProgress() {
-    if (gui_->editor().progress == savedProgress_) return;
-    savedProgress_ = gui_->editor().progress;
-    try {
-      saveProgress(progressPath(), savedProgress_);
-    } catch (const Error& error) {
-      gui_->editor().message = error.what();
-    }
-  }
-
-  void keepPreferences() {
-    if (gui_->ui().preferences == saved_) return;
-    saved_ = gui_->ui().preferences;
-    try {
-      savePreferences(preferencesPath(), saved_);
-    } catch (const Error& error) {
-      gui_->editor().message = error.what();
     }
   }
 
@@ -364,8 +335,6 @@ class MainWindow {
 
   StateLog stateLog_;
   WindowHandle handle_;
-  Preferences saved_;
-  LessonProgress savedProgress_;
   std::unique_ptr<Gui> gui_;
   std::unique_ptr<WindowFiles> files_;
   std::string title_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "base/language.h"
@@ -27,11 +28,14 @@ void entryRow(RecoveryDialog& dialog, std::size_t index, const Look& look) {
   ImGui::SameLine();
   ImGui::TextDisabled("%s", entry.time.c_str());
   ImGui::SetCursorPos({p.x, p.y + line});
-  if (entry.problem.empty()) {
+  if (!entry.problem.empty()) {
+    ImGui::TextColored(ink::bad(look.theme), "%s", entry.problem.c_str());
+  } else if (entry.fileIsNewer) {
+    ImGui::TextColored(ink::bad(look.theme), "%s",
+                       fmt::format(fmt::runtime(tr("The file is newer: {}")), entry.level.string()).c_str());
+  } else {
     ImGui::TextDisabled(
         "%s", entry.level.empty() ? tr("It was not saved to a file yet") : entry.level.string().c_str());
-  } else {
-    ImGui::TextColored(ink::bad(look.theme), "%s", entry.problem.c_str());
   }
   tooltip(entry.problem.c_str());
   ImGui::SetCursorPos(after);
@@ -43,6 +47,20 @@ void moveSelection(RecoveryDialog& dialog, const DialogKeys& typed) {
   dialog.selected = std::min(dialog.selected, last);
   if (isTyped(typed, keys::down)) dialog.selected = std::min(dialog.selected + 1, last);
   if (isTyped(typed, keys::up) && dialog.selected > 0) --dialog.selected;
+}
+
+// The first button is what Enter means: of two states of a level the newer one.
+std::optional<RecoveryAnswer::Kind> askFor(const RecoveryEntry& entry, const DialogKeys& typed) {
+  using Kind = RecoveryAnswer::Kind;
+  const bool sound = entry.problem.empty();
+  const int pressed = entry.fileIsNewer
+                          ? dialogButtons({"Keep the file", "Restore the older", "Decide later"})
+                          : dialogButtons({"Restore", "Discard", "Decide later"}, {sound});
+  const Kind first = entry.fileIsNewer ? Kind::discard : Kind::restore,
+             second = entry.fileIsNewer ? Kind::restore : Kind::discard;
+  if (isTyped(typed, keys::escape) || pressed == 2) return Kind::later;
+  if ((sound && isEnterTyped(typed)) || pressed == 0) return first;
+  return pressed == 1 ? std::optional(second) : std::nullopt;
 }
 
 }  // namespace
@@ -62,13 +80,10 @@ std::optional<RecoveryAnswer> drawRecoveryDialog(RecoveryDialog& dialog, const D
   ImGui::BeginChild("entries", {0, height});
   for (std::size_t i = 0; i < dialog.entries.size(); ++i) entryRow(dialog, i, look);
   ImGui::EndChild();
-  const bool sound = dialog.entries[dialog.selected].problem.empty();
-  int pressed = dialogButtons({"Restore", "Discard", "Decide later"}, {sound});
-  if (sound && isEnterTyped(typed)) pressed = 0;
-  if (isTyped(typed, keys::escape)) pressed = 2;
+  const auto kind = askFor(dialog.entries[dialog.selected], typed);
   endDialog();
-  if (pressed < 0) return std::nullopt;
-  return RecoveryAnswer{static_cast<RecoveryAnswer::Kind>(pressed), dialog.selected};
+  if (!kind) return std::nullopt;
+  return RecoveryAnswer{*kind, dialog.selected};
 }
 
 }  // namespace anamorph

@@ -16,7 +16,8 @@ namespace anamorph {
 struct RecoveryEntry {
   std::filesystem::path level;  ///< its file; empty for one that had none
   std::string title, time;
-  std::string problem;  ///< why it cannot be restored; empty: it can
+  std::string problem;       ///< why it cannot be restored; empty: it can
+  bool fileIsNewer = false;  ///< the level's file was written after this was kept
 };
 
 /// What is to become of something that was rescued of a session that ended badly.

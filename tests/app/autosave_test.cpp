@@ -1,13 +1,13 @@
-// Unsaved changes: kept in time, offered once, never lost.
+// Unsaved changes: kept in time, without a frame that waits; what cannot be kept is said.
 
 #include "app/autosave.h"
 
-#include <signal.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <string>
 #include <thread>
@@ -16,10 +16,10 @@
 
 #include "app/state_folder.h"
 #include "app/unsaved_bytes.h"
-#include "base/error.h"
-#include "cli/program.h"
 #include "level/level_json.h"
+#include "recovery_fixture.h"
 #include "shapes.h"
+#include "small_disk.h"
 
 namespace anamorph {
 namespace {
@@ -27,90 +27,111 @@ namespace {
 namespace fs = std::filesystem;
 using namespace testing;
 
-Level numbered(int number) {
-  Level level;
-  level.text.edit([&](LevelText& text) { text.title = "Number " + std::to_string(number); });
-  level.sculpture.depthScale = 1 + number;
-  return level;
-}
-
-class Autosaves : public ::testing::Test {
+class Autosaves : public RecoveryTest {
  protected:
   Autosaves() { session.startNew(numbered(0)); }
 
-  std::size_t files() const {
-    std::size_t count = 0;
-    std::error_code none;
-    for (fs::directory_iterator entry(folder, none), end; !none && entry != end; entry.increment(none))
-      count += entry->path().extension() == ".json";
-    return count;
+  // A frame, and all that it lets write.
+  std::optional<std::string> update(Autosave& autosave, double now) {
+    const auto news = autosave.update(session, left, now);
+    EXPECT_TRUE(autosave.finish(20));
+    return news;
   }
-  bool waitForFiles(std::size_t count) const {
-    for (int i = 0; i < 3000 && files() != count; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return files() == count;
-  }
-  // A window that keeps `level` and dies.
-  void die(const Level& level, const fs::path& path = {}) {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      Session other;
-      path.empty() ? other.startNew(numbered(0)) : other.open(path);
-      other.edit(level);
-      Autosave autosave(folder);
-      autosave.writeNow(other);
-      ::kill(::getpid(), SIGKILL);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status));
+  // As long as it takes to be kept.
+  void keep(Autosave& autosave) {
+    for (int i = 0; i < 3; ++i) update(autosave, clock += 10);
   }
 
-  TemporaryFolder temporary;
-  fs::path folder = temporary / "state/anamorph";
   Session session;
+  Autosave::LeftLevels left;
+  double clock = 1000;  // a clock that never goes back, as the window's
 };
 
 TEST_F(Autosaves, WriteSoonAfterAChangeAndNotTooOften) {
   Autosave autosave(folder);
-  EXPECT_EQ(autosave.update(session, 100), std::nullopt);
+  EXPECT_EQ(update(autosave, 100), std::nullopt);
   EXPECT_EQ(autosave.secondsUntilDue(100), std::nullopt) << "nothing to lose";
   session.edit(numbered(1));
-  autosave.update(session, 101);
-  EXPECT_EQ(autosave.secondsUntilDue(101), Autosave::restSeconds);
-  autosave.update(session, 103);
+  update(autosave, 101);
   EXPECT_EQ(files(), 0u);
-  autosave.update(session, 104.1);
-  EXPECT_TRUE(waitForFiles(1));
-  EXPECT_EQ(autosave.secondsUntilDue(105), std::nullopt);
+  EXPECT_EQ(autosave.secondsUntilDue(101), Autosave::gatherSeconds);
+  update(autosave, 102.1);
+  EXPECT_EQ(files(), 1u);
+  EXPECT_EQ(autosave.secondsUntilDue(103), std::nullopt);
   session.edit(numbered(2));
-  autosave.update(session, 106);
-  EXPECT_NEAR(*autosave.secondsUntilDue(106), 4.1, 1e-9) << "six seconds after the last";
+  update(autosave, 103);
+  EXPECT_NEAR(*autosave.secondsUntilDue(103), 3.1, 1e-9) << "four seconds after the last";
+  session.undo();
+  update(autosave, 104);
+  EXPECT_EQ(autosave.secondsUntilDue(104), std::nullopt) << "that is kept";
 }
 
-TEST_F(Autosaves, WriteEveryTwoMinutesOfADrag) {
-  Autosave autosave(folder);
-  session.change(numbered(1));
-  autosave.update(session, 100);
-  EXPECT_LE(*autosave.secondsUntilDue(100), Autosave::mostSeconds);
-  for (int i = 0; i < 130; ++i) {
-    session.change(numbered(2 + i % 50));
-    autosave.update(session, 100 + i);
+// Drags and edits in every rhythm: at no time is there a change of ten seconds ago that is not kept.
+TEST_F(Autosaves, NeverLoseMoreThanTenSeconds) {
+  for (const double interval : {0.05, 0.5, 2.0, 2.9, 3.1, 5.9, 9.0}) {
+    for (const bool drags : {false, true}) {
+      SCOPED_TRACE((drags ? "a drag, seconds: " : "edits, seconds: ") + std::to_string(interval));
+      session.startNew(numbered(0));
+      Autosave autosave(folder);
+      std::map<std::string, double> times;  // when each title came
+      double next = 100;
+      int number = 0;
+      for (double now = 100; now < 160; now += 0.05) {
+        if (now >= next) {
+          const Level level = numbered(++number);
+          drags ? session.change(level) : session.edit(level);
+          times[level.text->title] = now;
+          next += interval;
+        }
+        update(autosave, now);
+        if (now < 110) continue;
+        ASSERT_EQ(files(), 1u) << now;
+        // What is kept was the level at some time in the last ten seconds.
+        const std::string kept = keptTitle();
+        const int successor = std::stoi(kept.substr(kept.rfind(' '))) + 1;
+        if (successor > number) continue;
+        ASSERT_GT(times.at("Number " + std::to_string(successor)), now - 10) << now;
+      }
+    }
   }
-  EXPECT_TRUE(waitForFiles(1));
+}
+
+// A level with a long lesson takes many times as long to be written as text as a frame may take.
+TEST_F(Autosaves, LeaveTheTextAndTheDiskToAnotherThread) {
+  const auto threadSeconds = [] {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+  };
+  Level level = numbered(1);
+  level.text.edit([](LevelText& text) { text.description = std::string(4 << 20, 'x'); });
+  double start = threadSeconds();
+  formatLevel(level);
+  const double formatting = threadSeconds() - start;
+  Autosave autosave(folder);
+  session.edit(level);
+  start = threadSeconds();
+  rusage before{}, after{};
+  ::getrusage(RUSAGE_THREAD, &before);
+  for (int i = 0; i < 3; ++i) autosave.update(session, left, clock += 10);
+  ::getrusage(RUSAGE_THREAD, &after);
+  EXPECT_LT(threadSeconds() - start, formatting / 4);
+  EXPECT_EQ(after.ru_oublock, before.ru_oublock) << "blocks written to a disk";
+  ASSERT_TRUE(autosave.finish(20));
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(Autosaves, LeaveNothingWhenSavedOrEnded) {
   {
     Autosave autosave(folder);
     session.edit(numbered(1));
-    autosave.writeNow(session);
+    keep(autosave);
     EXPECT_EQ(files(), 1u);
     session.undo();
-    autosave.update(session, 1);
-    EXPECT_TRUE(waitForFiles(0)) << "as it is saved again";
+    keep(autosave);
+    EXPECT_EQ(files(), 0u) << "as it is saved again";
     session.redo();
-    autosave.writeNow(session);
+    keep(autosave);
     EXPECT_EQ(files(), 1u);
   }
   EXPECT_TRUE(fs::is_empty(folder));
@@ -120,13 +141,18 @@ TEST_F(Autosaves, AreThereAsBytesForWhoeverHandlesACrash) {
   {
     Autosave autosave(folder);
     session.edit(numbered(1));
-    autosave.writeNow(session);
+    keep(autosave);
     const std::unique_ptr<const UnsavedBytes> taken(takeUnsaved());
     ASSERT_TRUE(taken);
     EXPECT_EQ(readAll(taken->file), taken->bytes);
     EXPECT_EQ(takeUnsaved(), nullptr) << "they are whose who took them";
     session.edit(numbered(2));
-    autosave.writeNow(session);
+    keep(autosave);
+    session.reset();
+    keep(autosave);
+    EXPECT_EQ(takeUnsaved(), nullptr) << "it is saved";
+    session.undo();
+    keep(autosave);
   }
   EXPECT_EQ(takeUnsaved(), nullptr) << "it ended as it should";
 }
@@ -134,55 +160,22 @@ TEST_F(Autosaves, AreThereAsBytesForWhoeverHandlesACrash) {
 TEST_F(Autosaves, OfAWindowThatLivesAreNobodyElses) {
   Autosave autosave(folder), second(folder);
   session.edit(numbered(1));
-  autosave.writeNow(session);
-  second.writeNow(session);
+  keep(autosave);
+  keep(second);
   EXPECT_EQ(files(), 2u) << "two windows, two files";
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(static_cast<int>(findRescued(folder).size()));
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(offeredElsewhere(), 0);
 }
 
-TEST_F(Autosaves, OfAWindowThatDiedAreOfferedNewestFirst) {
-  saveLevel(temporary / "mine.json", numbered(3));
-  die(numbered(1));
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  die(numbered(2), temporary / "mine.json");
-  std::vector<Rescued> found = findRescued(folder);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].level, numbered(2));
-  EXPECT_EQ(found[0].levelPath, temporary / "mine.json");
-  EXPECT_EQ(found[0].entry.title, "Number 2");
-  EXPECT_EQ(found[1].level, numbered(1));
-  EXPECT_EQ(found[1].levelPath, "");
-  EXPECT_EQ(findRescued(folder).size(), 0u) << "while they are offered here, nobody else offers them";
-  found[0].remove();
-  found.clear();
-  EXPECT_EQ(findRescued(folder).size(), 1u) << "what was decided later";
-}
-
-TEST_F(Autosaves, ThatCannotBeReadAreLeftAlone) {
-  die(numbered(1));
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") writeText(entry.path(), "{\"format\": \"anamorph-recovery\", ");
-  }
-  const auto found = findRescued(folder);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].entry.problem, "");
+TEST_F(Autosaves, InAFolderThatHasVanishedMakeItAgain) {
+  Autosave autosave(folder);
+  session.edit(numbered(1));
+  keep(autosave);
+  fs::remove_all(folder);
+  session.edit(numbered(2));
+  keep(autosave);
   EXPECT_EQ(files(), 1u);
-}
-
-TEST_F(Autosaves, WithATimeThatIsNoneAreLeftAlone) {
-  fs::create_directories(folder);
-  const std::string level = formatLevel(numbered(1));
-  for (const char* time : {"1e300", "1e18", "-1e18", "-1"}) {
-    writeText(folder / "recovery-1.json", R"({"format": "anamorph-recovery", "path": "", "time": )" +
-                                              std::string(time) + R"(, "level": )" + level + "}");
-    const auto found = findRescued(folder);
-    ASSERT_EQ(found.size(), 1u) << time;
-    EXPECT_NE(found[0].entry.problem.find("/time"), std::string::npos) << found[0].entry.problem;
-  }
+  EXPECT_EQ(keptTitle(), "Number 2");
+  EXPECT_EQ(offeredElsewhere(), 0) << "and have it for themselves";
 }
 
 TEST_F(Autosaves, OfOlderProgramsWithTheSameNumberStay) {
@@ -192,97 +185,111 @@ TEST_F(Autosaves, OfOlderProgramsWithTheSameNumberStay) {
   {
     Autosave autosave(folder);
     session.edit(numbered(1));
-    autosave.writeNow(session);
+    keep(autosave);
     EXPECT_EQ(files(), 2u);
   }
   EXPECT_EQ(readAll(old), "precious");
 }
 
-TEST_F(Autosaves, OnAFullDiskKeepTheLastOneAndSaySo) {
-  Autosave autosave(folder);
+TEST_F(Autosaves, OnAFullDiskKeepTheLastOneAndSaySoOnce) {
+  std::atomic<int> woken = 0;
+  Autosave autosave(folder, [&woken] { ++woken; });
   session.edit(numbered(1));
-  autosave.writeNow(session);
-  rlimit before{};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit small{500, before.rlim_max};
-  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
-  ::setrlimit(RLIMIT_FSIZE, &small);
-  session.edit(numbered(2));
-  EXPECT_THROW(autosave.writeNow(session), Error);
-  std::optional<std::string> told;
-  session.edit(numbered(3));
-  for (int i = 0; i < 3000 && !told; ++i) {
-    told = autosave.update(session, 1000 + i);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  ::signal(SIGXFSZ, handler);
-  ASSERT_TRUE(told);
-  EXPECT_NE(told->find("File too large"), std::string::npos) << *told;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") {
-      EXPECT_NE(readAll(entry.path()).find("Number 1"), std::string::npos);
+  keep(autosave);
+  std::vector<std::string> told;
+  {
+    const SmallDisk full(500);
+    session.edit(numbered(2));
+    woken = 0;
+    for (int i = 0; i < 20; ++i) {
+      if (const auto news = update(autosave, clock += 1)) told.push_back(*news);
     }
+    EXPECT_GT(woken, 1) << "so that the window says it at once";
   }
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("File too large"), std::string::npos) << told[0];
+  EXPECT_EQ(keptTitle(), "Number 1");
+  told.clear();
+  for (int i = 0; i < 10; ++i) {
+    if (const auto news = update(autosave, clock += 1)) told.push_back(*news);
+  }
+  EXPECT_EQ(told, std::vector<std::string>{"Unsaved changes are kept again."});
+  EXPECT_EQ(keptTitle(), "Number 2");
 }
 
 TEST_F(Autosaves, OfALevelThatNoFileHoldsKeepTheOneBefore) {
   Autosave autosave(folder);
   session.edit(numbered(1));
-  autosave.writeNow(session);
+  keep(autosave);
   Level broken = numbered(2);
   broken.optic.shape() = SphereMirror{{0, 0, 0}, 0};
   session.edit(broken);
-  EXPECT_NO_THROW(autosave.writeNow(session));
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") {
-      EXPECT_NE(readAll(entry.path()).find("Number 1"), std::string::npos);
-    }
-  }
+  keep(autosave);
+  EXPECT_EQ(keptTitle(), "Number 1");
 }
 
 TEST_F(Autosaves, OfLevelsThatWereLeftAreKeptUntilTheyAreOpenAgain) {
-  std::map<fs::path, Level> left{{"/levels/a.json", numbered(1)}, {"/levels/b.json", numbered(2)}};
+  left = {{"/levels/a.json", numbered(1)}, {"/levels/b.json", numbered(2)}};
   {
     Autosave autosave(folder);
-    EXPECT_EQ(autosave.keepLeft(left), std::nullopt);
+    keep(autosave);
     EXPECT_EQ(files(), 2u);
     session.edit(numbered(3));
-    autosave.writeNow(session);
+    keep(autosave);
     EXPECT_EQ(files(), 3u);
     left.erase("/levels/a.json");
     left["/levels/b.json"] = numbered(4);
-    EXPECT_EQ(autosave.keepLeft(left), std::nullopt);
+    keep(autosave);
     EXPECT_EQ(files(), 2u);
   }
   EXPECT_EQ(files(), 0u) << "it ended as it should";
-  const pid_t child = ::fork();
-  if (child == 0) {
+  dieWith([&] {
     Autosave autosave(folder);
-    autosave.keepLeft(left);
-    ::kill(::getpid(), SIGKILL);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
+    session.reset();
+    keep(autosave);
+  });
   const auto found = findRescued(folder);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].levelPath, "/levels/b.json");
+  EXPECT_EQ(found[0].path, "/levels/b.json");
   EXPECT_EQ(found[0].level, numbered(4));
 }
 
-TEST_F(Autosaves, RememberWhenTheLevelsFileWasWritten) {
-  const fs::path path = temporary / "mine.json";
-  saveLevel(path, numbered(0));
-  session.open(path);
-  const auto known = session.fileTime();
-  ASSERT_TRUE(known);
-  die(numbered(1), path);
-  fs::last_write_time(path, *known + std::chrono::seconds(9));  // another program
+// From the open one to one that was left, and back: at no time is it nowhere.
+TEST_F(Autosaves, OfALevelThatIsLeftGoFromOneFileToTheOther) {
+  Autosave autosave(folder);
+  session.edit(numbered(1));
+  keep(autosave);
+  session.startNew(numbered(0));
+  left = {{"/levels/a.json", numbered(1)}};
+  for (double now = clock; now < clock + 5; now += 0.1) {
+    update(autosave, now);
+    ASSERT_GE(files(), 1u);
+  }
+  EXPECT_EQ(files(), 1u);
+  session.edit(numbered(1));
+  left.clear();
+  for (double now = clock + 5; now < clock + 10; now += 0.1) {
+    update(autosave, now);
+    ASSERT_GE(files(), 1u);
+  }
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(Autosaves, OfWhatWasRestoredGoOnInTheSameFile) {
+  die(numbered(1));
   auto found = findRescued(folder);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].fileTime, known);
-  session.recover(found[0].levelPath, found[0].level, found[0].fileTime);
-  EXPECT_TRUE(session.isFileChanged());
+  Autosave autosave(folder);
+  session.recover(found[0].path, found[0].level, found[0].fileTime);
+  autosave.adopt(std::move(found[0]));
+  for (int i = 0; i < 10; ++i) {
+    update(autosave, clock += 1);
+    ASSERT_EQ(files(), 1u);
+  }
+  EXPECT_EQ(offeredElsewhere(), 0);
+  session.saveTo(temporary / "saved.json");
+  keep(autosave);
+  EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(Autosaves, WhereTheWorkingFolderIsGoneGoOn) {
@@ -294,20 +301,23 @@ TEST_F(Autosaves, WhereTheWorkingFolderIsGoneGoOn) {
   session.edit(numbered(1));
   fs::remove(temporary / "here");
   Autosave autosave(folder);
-  EXPECT_NO_THROW(autosave.writeNow(session));
+  keep(autosave);
   fs::current_path(before);
   EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(Autosaves, WhereNothingCanBeWrittenSaySo) {
+TEST_F(Autosaves, WhereNothingCanBeWrittenSaySoOnce) {
   writeText(temporary / "state", "a file in the folder's place");
   Autosave autosave(folder);
   session.edit(numbered(1));
-  EXPECT_THROW(autosave.writeNow(session), Error);
-  autosave.update(session, 100);
-  const auto told = autosave.update(session, 200);
-  ASSERT_TRUE(told);
-  EXPECT_NE(told->find("state"), std::string::npos);
+  int told = 0;
+  for (int i = 0; i < 60; ++i) {
+    const auto news = update(autosave, clock += 1);
+    if (!news) continue;
+    ++told;
+    EXPECT_NE(news->find("state"), std::string::npos) << *news;
+  }
+  EXPECT_EQ(told, 1);
 }
 
 TEST(StateFolder, IsTheOneOfTheStandard) {
@@ -321,19 +331,12 @@ TEST(StateFolder, IsTheOneOfTheStandard) {
 
 TEST(RecentFiles, AreKeptTogetherWithThoseOfOtherWindows) {
   const TemporaryFolder folder;
-  UiState ui, other, third;
-  ui.recentLevels = {"/a/1.json", "/a/2.json"};
-  ui.browser.recentFolders = {"/a"};
-  saveRecent(folder / "state", ui);
-  other.recentLevels = {"/b/3.json", "/a/2.json"};
-  saveRecent(folder / "state", other);
-  loadRecent(folder / "state", third);
-  EXPECT_EQ(third.recentLevels, (std::vector<fs::path>{"/b/3.json", "/a/2.json", "/a/1.json"}));
-  EXPECT_EQ(third.browser.recentFolders, (std::vector<fs::path>{"/a"}));
+  saveRecent(folder / "state", {{"/a/1.json", "/a/2.json"}, {"/a"}});
+  saveRecent(folder / "state", {{"/b/3.json", "/a/2.json"}, {}});
+  const RecentFiles all{{"/b/3.json", "/a/2.json", "/a/1.json"}, {"/a"}};
+  EXPECT_EQ(loadRecent(folder / "state"), all);
   writeText(folder / "state/recent.json", "{\"levels\": [3, \"relative\", null, {}], \"folders\": 7");
-  UiState fourth;
-  EXPECT_NO_THROW(loadRecent(folder / "state", fourth));
-  EXPECT_TRUE(fourth.recentLevels.empty());
+  EXPECT_EQ(loadRecent(folder / "state"), RecentFiles());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,11 +30,12 @@ Preferences load(const std::string& path, std::string* said = nullptr) {
 TEST(PreferencesFile, RoundTrip) {
   const TemporaryFolder folder;
   const std::string path = folder / "preferences.json";
+  Preferences before;
   for (const Theme theme : {Theme::dark, Theme::light, Theme::projector}) {
     for (const double scale : {0.0, 0.75, 1.1, 2.5, 3.0}) {
       for (const bool flag : {false, true}) {
         const Preferences p{theme, scale, flag, !flag, flag, 300, 500, 700, flag ? "nl" : ""};
-        savePreferences(path, p);
+        savePreferences(path, std::exchange(before, p), p);
         std::string message = "untouched";
         EXPECT_EQ(loadPreferences(path, message), p);
         EXPECT_EQ(message, "untouched");
@@ -105,10 +107,39 @@ TEST(PreferencesFile, NumbersAreKeptWithinReason) {
   EXPECT_EQ(load(path).uiScale, 0) << "as the screen says";
 }
 
+TEST(PreferencesFile, OfTwoWindowsKeepsWhatEachHasChanged) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "preferences.json";
+  savePreferences(path, {}, {});
+  Preferences light, dutch, narrow;
+  light.theme = Theme::light;
+  dutch.language = "nl";
+  savePreferences(path, {}, light);
+  savePreferences(path, {}, dutch);  // a window that knows nothing of the other
+  narrow = light;
+  narrow.leftWidth = 200;
+  savePreferences(path, light, narrow);
+  const Preferences all = load(path);
+  EXPECT_EQ(all.theme, Theme::light);
+  EXPECT_EQ(all.language, "nl");
+  EXPECT_EQ(all.leftWidth, 200);
+}
+
+TEST(PreferencesFile, KeepsWhatANewerProgramHasWritten) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "preferences.json";
+  writeText(path, R"({"colours": {"grid": "red"}, "legend": true})");
+  Preferences changed;
+  changed.legend = false;
+  savePreferences(path, {}, changed);
+  EXPECT_THAT(readAll(path), HasSubstr("\"grid\": \"red\""));
+  EXPECT_EQ(load(path), changed);
+}
+
 TEST(PreferencesFile, IsReplacedAtomically) {
   const TemporaryFolder folder;
   const std::string path = folder / "preferences.json";
-  savePreferences(path, {});
+  savePreferences(path, {}, {});
   struct stat before {};
   ASSERT_EQ(stat(path.c_str(), &before), 0);
   const std::filesystem::path link = folder / "old";
@@ -116,7 +147,7 @@ TEST(PreferencesFile, IsReplacedAtomically) {
   const std::string old = readAll(path);
   Preferences changed;
   changed.theme = Theme::light;
-  savePreferences(path, changed);
+  savePreferences(path, {}, changed);
   struct stat after {};
   ASSERT_EQ(stat(path.c_str(), &after), 0);
   EXPECT_NE(before.st_ino, after.st_ino) << "another file in its place, not the same one written over";
@@ -128,14 +159,14 @@ TEST(PreferencesFile, FailuresAreErrorsAndCostNothing) {
   const TemporaryFolder folder;
   const std::string path = folder / "preferences.json";
   writeText(folder / "file", "");
-  EXPECT_THROW(savePreferences(folder / "file/below/preferences.json", {}), Error);
+  EXPECT_THROW(savePreferences(folder / "file/below/preferences.json", {}, {}), Error);
   if (::getuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  savePreferences(path, {});
+  savePreferences(path, {}, {});
   const std::string old = readAll(path);
   ::chmod((folder / "").c_str(), 0500);
   Preferences changed;
   changed.legend = false;
-  EXPECT_THROW(savePreferences(path, changed), Error);
+  EXPECT_THROW(savePreferences(path, {}, changed), Error);
   ::chmod((folder / "").c_str(), 0700);
   EXPECT_EQ(readAll(path), old);
 }
@@ -143,7 +174,7 @@ TEST(PreferencesFile, FailuresAreErrorsAndCostNothing) {
 TEST(PreferencesFile, MakesItsFolders) {
   const TemporaryFolder folder;
   const std::string path = folder / "a/b/preferences.json";
-  savePreferences(path, {});
+  savePreferences(path, {}, {});
   EXPECT_EQ(load(path), Preferences());
 }
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -20,8 +22,8 @@ TEST(ProgressFile, RoundTrip) {
   for (const LessonProgress& progress :
        {LessonProgress{},
         LessonProgress{{"plane", {"a", "b"}}, {"a \"quoted\" é lesson", {"1"}}, {"x", {}}}}) {
-    saveProgress(path, {});
-    saveProgress(path, progress);
+    saveProgress(path, {}, {});
+    saveProgress(path, {}, progress);
     std::string message;
     LessonProgress loaded = loadProgress(path, message);
     loaded["x"];  // a lesson without steps need not be remembered
@@ -49,8 +51,8 @@ TEST(ProgressFile, ABrokenOneIsKeptAndSaid) {
     EXPECT_TRUE(loadProgress(path, message).empty());
     EXPECT_NE(message.find(expected), std::string::npos) << message;
     EXPECT_EQ(readFile(path, 1000).view(), text) << "nothing is lost by reading";
-    saveProgress(path, {{"x", {"y"}}});
-    EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"x", {"y"}}}));
+    saveProgress(path, {{"x", {"y"}}}, {{"x", {"y", "z"}}});
+    EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"x", {"y", "z"}}})) << "all that is known";
     EXPECT_EQ(readFile(path + ".broken", 1000).view(), text);
   }
 }
@@ -60,7 +62,7 @@ TEST(ProgressFile, ABrokenOneThatCannotBeSetAsideStays) {
   const std::string path = folder / "progress.json";
   writeFile(path, "{");
   std::filesystem::create_directories(path + ".broken/in the way");
-  EXPECT_THROW(saveProgress(path, {{"x", {"y"}}}), Error);
+  EXPECT_THROW(saveProgress(path, {}, {{"x", {"y"}}}), Error);
   EXPECT_EQ(readFile(path, 1000).view(), "{");
 }
 
@@ -68,11 +70,45 @@ TEST(ProgressFile, OfTwoWindowsIsUnitedAndForgottenWhenAsked) {
   const TemporaryFolder folder;
   const std::string path = folder / "progress.json";
   std::string message;
-  saveProgress(path, {{"plane", {"a", "b"}}});
-  saveProgress(path, {{"plane", {"c"}}, {"sphere", {"a"}}});  // a window that was opened before
-  EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"plane", {"a", "b", "c"}}, {"sphere", {"a"}}}));
-  saveProgress(path, {});
+  saveProgress(path, {}, {{"plane", {"a", "b"}}});
+  saveProgress(path, {}, {{"plane", {"c"}}, {"sphere", {"a"}}});  // a window that was opened before
+  const LessonProgress all{{"plane", {"a", "b", "c"}}, {"sphere", {"a"}}};
+  EXPECT_EQ(loadProgress(path, message), all);
+  saveProgress(path, all, {});
   EXPECT_EQ(loadProgress(path, message), LessonProgress{});
+  saveProgress(path, all, {{"plane", {"a", "b", "c", "d"}}, {"sphere", {"a"}}});  // one that still knows all
+  EXPECT_EQ(loadProgress(path, message), (LessonProgress{{"plane", {"d"}}})) << "forgotten is forgotten";
+}
+
+TEST(ProgressFile, WhereItHasVanishedIsWrittenAsAWhole) {
+  const TemporaryFolder folder;
+  std::string message;
+  saveProgress(folder / "state/progress.json", {{"plane", {"a"}}}, {{"plane", {"a", "b"}}});
+  EXPECT_EQ(loadProgress(folder / "state/progress.json", message), (LessonProgress{{"plane", {"a", "b"}}}));
+}
+
+// Many windows at once, each of which does steps of its own.
+TEST(ProgressFile, OfManyWindowsAtOnceLosesNoStep) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "progress.json";
+  constexpr int windows = 4, steps = 12;
+  std::vector<std::thread> threads;
+  for (int window = 0; window < windows; ++window) {
+    threads.emplace_back([&path, window] {
+      LessonProgress before, now;
+      for (int step = 0; step < steps; ++step) {
+        now["window " + std::to_string(window)].insert(std::to_string(step));
+        saveProgress(path, before, now);
+        before = now;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::string message;
+  const LessonProgress all = loadProgress(path, message);
+  EXPECT_EQ(all.size(), std::size_t{windows});
+  for (const auto& [window, done] : all) EXPECT_EQ(done.size(), std::size_t{steps}) << window;
+  EXPECT_EQ(folder.fileCount(), 1u) << "the lock has gone";
 }
 
 TEST(ProgressFile, WithoutOneNothingIsDone) {
@@ -83,7 +119,7 @@ TEST(ProgressFile, WithoutOneNothingIsDone) {
 }
 
 TEST(ProgressFile, AFolderThatCannotBeMadeIsAnError) {
-  EXPECT_THROW(saveProgress("/dev/null/progress.json", {}), Error);
+  EXPECT_THROW(saveProgress("/dev/null/progress.json", {}, {}), Error);
 }
 
 }  // namespace

@@ -265,8 +265,16 @@ TEST_F(DrawnText, OfTheDialogsIsTranslated) {
   look("unsaved");
   ui.unsaved.reset();
   frames(2);
+  for (const auto answer : {FinishQuestion::Answer::none, FinishQuestion::Answer::wait}) {
+    ui.finish = FinishQuestion{answer};
+    look("finish");
+  }
+  ui.finish.reset();
+  frames(2);
   ui.recovery.entries = {RecoveryEntry{}};
   look("recovery");
+  ui.recovery.entries.front().fileIsNewer = true;
+  look("recovery, older than the file");
 }
 
 // All menus, opened by the mouse.
