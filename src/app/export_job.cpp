@@ -7,6 +7,7 @@
 #include "base/language.h"
 #include "base/parallel_for.h"
 #include "exports/export_level.h"
+#include "panels/file_flow.h"
 
 namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {
@@ -22,6 +23,7 @@ void ExportJob::update(Editor& editor, UiState& ui) {
   }
   if (waiting_ && result.problem) {
     waiting_.reset();
+    giveUpQuitting(ui, *result.problem);
     dialog.say(tr("There is no sculpture to export."), {*result.problem});
   }
   if (waiting_ && !result.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled
@@ -33,6 +35,7 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     cancelled_ = false;
   }
   if (auto failure = worker_.takeFailure()) {
+    giveUpQuitting(ui, *failure);
     dialog.say(std::move(*failure));
     cancelled_ = false;
   }
@@ -42,10 +45,12 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     cancelled_ = false;
   }
   dialog.running = waiting_ || worker_.busy();
+  dialog.writing = dialog.running && (waiting_ ? *waiting_ : started_) == Task::write;
   dialog.fraction = waiting_ ? 0 : worker_.fraction();
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {
+  started_ = task;
   worker_.request(
       [task, finished = result, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
         const int threads = hardwareThreads();

@@ -34,7 +34,8 @@ class ExportJob {
   void start(Task task, const LevelResult& result, const ExportDialog& dialog);
 
   std::optional<Task> waiting_;
-  bool cancelled_ = false;  // and what became of it is not known yet
+  Task started_ = Task::check;  // that runs, or ran last
+  bool cancelled_ = false;      // and what became of it is not known yet
   std::shared_ptr<Mailbox<Outcome>> outcomes_ = std::make_shared<Mailbox<Outcome>>();
   Worker worker_;  // last: its jobs use the mailbox
 };

@@ -220,7 +220,7 @@ void Gui::drawLists() const {
 
 bool Gui::unfinished() const {
   return owesFrame_ || isMoving(*editor_) || !viewComplete() || editor_->updater.busy() ||
-         editor_->job.busy() || ui_.render.running || ui_.exporting.running;
+         editor_->job.busy() || ui_.render.running || !ui_.render.saving.empty() || ui_.exporting.running;
 }
 
 void Gui::key(int key, int modifiers, bool repeated) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "panels/file_flow.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
 
@@ -13,27 +14,28 @@ namespace anamorph {
 
 bool RenderJob::update(const LevelResult& result, UiState& ui) {
   RenderDialog& dialog = ui.render;
-  if (std::exchange(ui.requests.startRender, false) && result.original.mesh) start(result, dialog);
+  if (std::exchange(ui.requests.startRender, false) && result.original.mesh) {
+    dialog.message.clear();
+    start(result, dialog);
+  }
   if (std::exchange(ui.requests.cancelRender, false)) {
     worker_.cancel();
     dialog.message = tr("Cancelled.");
   }
-  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && image_)
-    save(path->string());
+  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && image_) {
+    dialog.saving = path->string();
+    save(dialog.saving);
+  }
   bool changed = false;
   if (auto image = results_->take()) {
     image_ = std::move(*image);
-    dialog.message.clear();
-    changed = true;
-  }
-  if (auto message = messages_->take()) {
-    dialog.message = std::move(*message);
     changed = true;
   }
   if (auto failure = worker_.takeFailure()) {
     dialog.message = std::move(*failure);
     changed = true;
   }
+  changed |= updateSaves(ui);
   const bool running = worker_.busy();
   changed |= running != dialog.running;
   dialog.running = running;
@@ -57,8 +59,29 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
       });
 }
 
+bool RenderJob::updateSaves(UiState& ui) {
+  RenderDialog& dialog = ui.render;
+  const bool idle = saves_.idle();  // before its outcomes: then they are all there
+  bool changed = false;
+  if (auto message = messages_->take()) {
+    dialog.message = std::move(*message);
+    changed = true;
+  }
+  for (const WriteQueue::Outcome& outcome : saves_.takeOutcomes()) {
+    if (outcome.failure.empty()) continue;
+    giveUpQuitting(ui, outcome.failure);
+    dialog.message = outcome.failure;
+    changed = true;
+  }
+  if (idle && !dialog.saving.empty()) {
+    dialog.saving.clear();
+    changed = true;
+  }
+  return changed;
+}
+
 void RenderJob::save(const std::string& file) {
-  worker_.request([file, image = image_, messages = messages_](const Progress&) {
+  saves_.add(file, [file, image = image_, messages = messages_] {
     savePng(file, *image);
     messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));
   });

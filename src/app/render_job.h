@@ -1,11 +1,12 @@
-// The high-resolution picture: rendered and saved by a worker of its own, so that the window goes on and a
-// drag does not cancel it.
+// The high-resolution picture: rendered by a worker of its own, so that the window goes on and a drag does not cancel
+// it. Pictures are saved by a queue: the next one that is rendered does not cancel that.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
 
+#include "app/write_queue.h"
 #include "edit/live_updater.h"
 #include "panels/ui_state.h"
 #include "pipeline/worker.h"
@@ -14,7 +15,7 @@ namespace anamorph {
 
 class RenderJob {
  public:
-  explicit RenderJob(std::function<void()> wake) : worker_(std::move(wake)) {}
+  explicit RenderJob(std::function<void()> wake) : saves_(wake), worker_(std::move(wake)) {}
 
   /// Starts, cancels and saves as the dialog asks, and tells it how far things are. Returns whether what the
   /// dialog shows has changed.
@@ -26,11 +27,13 @@ class RenderJob {
  private:
   void start(const LevelResult& result, const RenderDialog& dialog);
   void save(const std::string& file);
+  bool updateSaves(UiState& ui);
 
   std::shared_ptr<const Image> image_;
   std::shared_ptr<Mailbox<std::shared_ptr<const Image>>> results_ =
       std::make_shared<Mailbox<std::shared_ptr<const Image>>>();
   std::shared_ptr<Mailbox<std::string>> messages_ = std::make_shared<Mailbox<std::string>>();
+  WriteQueue saves_;
   Worker worker_;  // last: its jobs use the mailboxes
 };
 

@@ -1,5 +1,8 @@
 #include "panels/dialogs.h"
 
+#include <string>
+#include <vector>
+
 #include "panels/browser_view.h"
 #include "panels/file_flow.h"
 
@@ -24,6 +27,10 @@ constexpr Dialog dialogs[] = {
     {"unsaved", [](const UiState& ui) { return ui.unsaved.has_value(); },
      [](Editor& editor, UiState& ui) {
        if (drawUnsavedDialog(editor, ui.unsaved, ui.dialogKeys, ui)) saveCurrent(editor, ui);
+     }},
+    {"finish", [](const UiState& ui) { return ui.finish.has_value(); },
+     [](Editor&, UiState& ui) {
+       drawFinishDialog(ui.finish, filesBeingWritten(ui), ui.exporting.fraction, ui.dialogKeys, ui);
      }},
     {"recovery", [](const UiState& ui) { return !ui.recovery.entries.empty(); },
      [](Editor&, UiState& ui) {

@@ -23,6 +23,7 @@ struct ExportDialog {
   std::filesystem::path folder;  ///< of the last export; empty: none yet
   bool choosing = false;         ///< the file browser is open for it
   bool running = false;
+  bool writing = false;  ///< what runs makes a file, which is not there before it has ended
   double fraction = 0;
   std::string message;                                    ///< what came of the last one
   std::vector<std::string> lines;                         ///< and what else is to be said about it

@@ -89,10 +89,20 @@ std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
   return wish;
 }
 
-void grant(const UnsavedQuestion& wish, UiRequests& requests) {
-  requests.quit = wish.next == UnsavedQuestion::Next::quit;
-  requests.startNew = wish.next == UnsavedQuestion::Next::startNew;
-  if (wish.next == UnsavedQuestion::Next::open) requests.open = wish.path;
+void grant(const UnsavedQuestion& wish, UiState& ui) {
+  if (wish.next == UnsavedQuestion::Next::quit) ui.finish = FinishQuestion{};
+  ui.requests.startNew = wish.next == UnsavedQuestion::Next::startNew;
+  if (wish.next == UnsavedQuestion::Next::open) ui.requests.open = wish.path;
+}
+
+// The last question before the end; without files it is none.
+void settleFinish(UiState& ui) {
+  if (!ui.finish) return;
+  using Answer = FinishQuestion::Answer;
+  const bool written = filesBeingWritten(ui).empty();
+  if (!written && ui.finish->answer != Answer::stop) return;
+  ui.requests.quit = true;
+  ui.finish.reset();
 }
 
 }  // namespace
@@ -205,6 +215,19 @@ void rememberLevel(UiState& ui, const fs::path& path) {
   rememberFolder(ui.browser, whole.parent_path());
 }
 
+std::vector<std::string> filesBeingWritten(const UiState& ui) {
+  std::vector<std::string> files;
+  if (ui.exporting.writing) files.push_back(ui.exporting.request.path.string());
+  if (!ui.render.saving.empty()) files.push_back(ui.render.saving);
+  return files;
+}
+
+void giveUpQuitting(UiState& ui, const std::string& problem) {
+  if (!ui.finish) return;
+  ui.finish.reset();
+  ui.notice = Notice{"The file could not be written", problem};
+}
+
 void settleRequests(Editor& editor, UiState& ui) {
   serveBrowser(editor, ui);
   if (auto wish = takeWish(ui.requests)) {
@@ -220,14 +243,16 @@ void settleRequests(Editor& editor, UiState& ui) {
     if (lost || (quits && !editor.leftLevels.empty())) {
       ui.unsaved = std::move(wish);
     } else {
-      grant(*wish, ui.requests);
+      grant(*wish, ui);
     }
   }
-  if (!ui.unsaved || ui.unsaved->answer == UnsavedQuestion::Answer::none || ui.browser.open) return;
-  const UnsavedQuestion wish = *std::exchange(ui.unsaved, std::nullopt);
-  const bool drop = wish.answer == UnsavedQuestion::Answer::drop;
-  // Still modified: the browser was closed without a name, and so nothing happens.
-  if (drop || !editor.session.modified()) grant(wish, ui.requests);
+  if (ui.unsaved && ui.unsaved->answer != UnsavedQuestion::Answer::none && !ui.browser.open) {
+    const UnsavedQuestion wish = *std::exchange(ui.unsaved, std::nullopt);
+    const bool drop = wish.answer == UnsavedQuestion::Answer::drop;
+    // Still modified: the browser was closed without a name, and so nothing happens.
+    if (drop || !editor.session.modified()) grant(wish, ui);
+  }
+  settleFinish(ui);
 }
 
 }  // namespace anamorph

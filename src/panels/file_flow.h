@@ -2,11 +2,13 @@
 //
 //   wish: open, new, quit --unsaved changes?--> question --save, or not--> done by the GUI or the window
 //                                                   `--cancel--> nothing has happened
+//   and then:        quit --files being written?--> question --wait, or not--> done by the window
 //
 // Files are read and written in the session; what goes wrong there is said and changes nothing.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "edit/editor.h"
@@ -37,9 +39,14 @@ void pasteLevel(Editor& editor, UiState& ui);
 /// Puts a level of one's own first among the recent ones, and its folder among those.
 void rememberLevel(UiState& ui, const std::filesystem::path& path);
 
+/// The files that would not be there if the program ended now.
+std::vector<std::string> filesBeingWritten(const UiState& ui);
+/// One of them could not be written. A wish to quit that has waited for it is given up, and a notice says why.
+void giveUpQuitting(UiState& ui, const std::string& problem);
+
 /// Once a frame, after the panels: does what the browser chose, and lets only those of the requests `open`,
-/// `startNew` and `quit` stand that may be served now. The others wait for the question about unsaved
-/// changes.
+/// `startNew` and `quit` stand that may be served now. The others wait for the questions about unsaved
+/// changes and about files that are being written.
 void settleRequests(Editor& editor, UiState& ui);
 
 }  // namespace anamorph

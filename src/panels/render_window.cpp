@@ -79,7 +79,9 @@ void drawRenderWindow(RenderDialog& dialog, const UiTexture& image, const std::f
     const ImVec2 avail = ImGui::GetContentRegionAvail();
     picture(dialog, image, {std::max(1.0f, avail.x), std::max(1.0f, avail.y - below)});
     saveButton(dialog, image, level, browser);
-    quietText(look, dialog.message.empty() ? "Wheel: zoom. Drag: shift." : dialog.message.c_str());
+    quietText(look, !dialog.saving.empty()   ? "The picture is being saved..."
+                    : dialog.message.empty() ? "Wheel: zoom. Drag: shift."
+                                             : dialog.message.c_str());
   }
   ImGui::End();
 }

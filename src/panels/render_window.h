@@ -17,6 +17,7 @@ struct RenderDialog {
   int samplesPerAxis = 3;
   bool running = false;
   double fraction = 0;
+  std::string saving;  ///< the file that a picture is being saved to; empty: none
   float zoom = 1;
   float panX = 0, panY = 0;
   std::filesystem::path folder;  ///< of the last picture saved; empty: none yet

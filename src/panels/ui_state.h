@@ -12,6 +12,7 @@
 #include "level/level_library.h"
 #include "panels/browser_state.h"
 #include "panels/export_window.h"
+#include "panels/finish_dialog.h"
 #include "panels/highlight.h"
 #include "panels/key_focus.h"
 #include "panels/keys.h"
@@ -52,6 +53,7 @@ struct UiState : Look {
   std::optional<Notice> notice;
   FileBrowser browser;
   std::optional<UnsavedQuestion> unsaved;
+  std::optional<FinishQuestion> finish;
   RecoveryDialog recovery;
   DialogKeys dialogKeys;                            ///< since the last frame
   std::vector<std::filesystem::path> recentLevels;  ///< newest first; kept between runs

@@ -207,6 +207,78 @@ TEST_F(FileFlow, SavingUnderANameThenGoesOn) {
   EXPECT_EQ(savedDepth("level.json"), 2);
 }
 
+TEST_F(FileFlow, QuittingWhileAFileIsWrittenAsks) {
+  const std::function<void(bool)> writings[] = {
+      [&](bool on) { ui.exporting.running = ui.exporting.writing = on; },
+      [&](bool on) { ui.render.saving = on ? "picture.png" : ""; }};
+  for (const auto& setWriting : writings) {
+    setWriting(true);
+    act(Action::quit);
+    ASSERT_TRUE(ui.finish);
+    EXPECT_FALSE(ui.requests.quit);
+    key(keys::escape);
+    EXPECT_FALSE(ui.finish || ui.requests.quit) << "it goes on, and so does the window";
+
+    act(Action::quit);
+    key(keys::enter);  // wait
+    EXPECT_TRUE(ui.finish);
+    EXPECT_FALSE(ui.requests.quit);
+    setWriting(false);
+    step();
+    EXPECT_TRUE(std::exchange(ui.requests.quit, false)) << "it is written";
+
+    setWriting(true);
+    act(Action::quit);
+    ui.finish->answer = FinishQuestion::Answer::stop;
+    step();
+    EXPECT_TRUE(std::exchange(ui.requests.quit, false));
+    setWriting(false);
+  }
+}
+
+TEST_F(FileFlow, QuittingThatWaitsForAFileThatFailsIsGivenUp) {
+  ui.render.saving = "picture.png";
+  act(Action::quit);
+  key(keys::enter);
+  giveUpQuitting(ui, "picture.png: cannot write: No space left on device");
+  ui.render.saving.clear();
+  step(2);
+  EXPECT_FALSE(ui.finish || ui.requests.quit);
+  ASSERT_TRUE(ui.notice);
+  EXPECT_NE(ui.notice->text.find("No space"), std::string::npos);
+}
+
+TEST_F(FileFlow, QuittingAsksAboutChangesBeforeFiles) {
+  modify();
+  ui.exporting.running = ui.exporting.writing = true;
+  act(Action::quit);
+  EXPECT_TRUE(ui.unsaved && !ui.finish);
+  key(keys::enter);
+  EXPECT_EQ(savedDepth("mine.json"), 2);
+  EXPECT_TRUE(!ui.unsaved && ui.finish);
+}
+
+// Two windows of a file: whoever saves second is asked.
+TEST_F(FileFlow, ASecondWindowOfTheFileIsAskedBeforeItReplaces) {
+  Session other;
+  other.open(folder_ / "mine.json");
+  modify();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // clocks of files are not finer
+  act(Action::save);
+  ASSERT_FALSE(isDialogOpen(ui));
+  EXPECT_TRUE(other.isFileChanged());
+  Level theirs = other.level();
+  theirs.sculpture.depthScale = 5;
+  other.edit(theirs);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  other.saveTo(folder_ / "mine.json");  // replaces it all the same
+  modify(3);
+  act(Action::save);
+  ASSERT_TRUE(ui.browser.open);
+  EXPECT_NE(ui.browser.problem.find("another program"), std::string::npos);
+  EXPECT_EQ(savedDepth("mine.json"), 5);
+}
+
 TEST_F(FileFlow, NoNameIsNoStep) {
   act(Action::newLevel);
   modify();
@@ -413,6 +485,18 @@ TEST_F(FileFlow, DialogsFitEveryWindow) {
       ui.notice.reset();
       ui.unsaved.reset();
     }
+  }
+}
+
+TEST_F(FileFlow, OfTwoStatesOfALevelTheNewerIsKeptByEnter) {
+  using Kind = RecoveryAnswer::Kind;
+  for (const auto& [fileIsNewer, expected] : {std::pair{false, Kind::restore}, {true, Kind::discard}}) {
+    ui.recovery.entries = {{folder_ / "mine.json", "One", "", "", fileIsNewer}};
+    step(2);
+    key(keys::enter);
+    ASSERT_TRUE(ui.requests.recovery);
+    EXPECT_EQ(ui.requests.recovery->kind, expected);
+    ui.requests.recovery.reset();
   }
 }
 

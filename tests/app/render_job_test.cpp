@@ -1,0 +1,85 @@
+// The large picture: made and saved without one being in the other's way.
+
+#include "app/render_job.h"
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "gui_fixture.h"
+
+namespace anamorph {
+namespace {
+
+using namespace anamorph::testing;
+
+class RenderWindow : public GuiTest {
+ protected:
+  void SetUp() override {
+    GuiTest::SetUp();
+    if (!headless) return;
+    gui().open(levelPath("1-plane"));
+    Level level = editor().session.level();
+    std::get<BoxShape>(level.original.shape).segments = 4;
+    editor().session.edit(level);
+    ui().render.open = true;
+    ui().render.longerSide = 64;
+    frames(2);
+    ui().requests.startRender = true;
+    frames(1);
+    wait();
+    ASSERT_NE(ui().textures.render.id, 0u);
+  }
+  void wait() {
+    const auto busy = [&] { return ui().render.running || !ui().render.saving.empty(); };
+    for (int i = 0; i < 3000 && busy(); ++i) {
+      frames(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(busy());
+    frames(1);
+  }
+  void save(const std::string& name) { ui().requests.saveRender = folder / name; }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(RenderWindow, ThatRendersAnewWhileItSavesDoesBoth) {
+  for (int i = 0; i < 5; ++i) {
+    const std::string name = std::to_string(i) + ".png";
+    save(name);
+    frames(1);
+    ui().requests.startRender = true;
+    frames(1);
+    wait();
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << ui().render.message;
+    EXPECT_NE(ui().render.message.find(name), std::string::npos) << ui().render.message;
+  }
+}
+
+TEST_F(RenderWindow, SavesAllThatItWasAskedFor) {
+  for (int i = 0; i < 5; ++i) {
+    save(std::to_string(i) + ".png");
+    frames(1);
+  }
+  wait();
+  EXPECT_EQ(folder.fileCount(), 5u);
+}
+
+TEST_F(RenderWindow, SaysWhatCouldNotBeSavedAndDoesNotQuitThen) {
+  save("no such folder/picture.png");
+  ui().finish = FinishQuestion{FinishQuestion::Answer::wait};
+  frames(1);
+  wait();
+  EXPECT_NE(ui().render.message.find("No such file"), std::string::npos) << ui().render.message;
+  EXPECT_FALSE(ui().requests.quit);
+  ASSERT_TRUE(ui().notice);
+  EXPECT_NE(ui().notice->text.find("picture.png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace anamorph
