@@ -45,7 +45,7 @@ std::optional<std::string> Autosave::update(const Session& session, const LeftLe
     document = wanted ? std::next(document) : documents_.erase(document);
   }
   if (documents_.empty()) failure_.clear();
-  if (idle && queue_.idle()) removeUnwanted();
+  if (idle) removeUnwanted(now);
   return news;
 }
 
@@ -86,9 +86,10 @@ void Autosave::want(const std::string& name, const std::filesystem::path& path, 
                     isOpen = name == openName] { keepUnsaved(folder, *file, unsaved, isOpen); });
 }
 
-void Autosave::removeUnwanted() {
-  const bool waits = std::any_of(documents_.begin(), documents_.end(),
-                                 [](const auto& document) { return document.second.changed.has_value(); });
+void Autosave::removeUnwanted(double now) {
+  const bool waits = std::any_of(documents_.begin(), documents_.end(), [&](const auto& document) {
+    return document.second.changed || document.second.written == now;  // how that went is not known yet
+  });
   if (waits || unwanted_.empty()) return;
   queue_.add(removeName, [files = std::exchange(unwanted_, {}), isSaved = documents_.count(openName) == 0] {
     if (isSaved) putUnsaved(nullptr);

@@ -63,7 +63,7 @@ class Autosave {
   std::optional<std::string> takeNews();
   void want(const std::string& name, const std::filesystem::path& path, const Level& level,
             const std::optional<FileTime>& fileTime, double now);
-  void removeUnwanted();
+  void removeUnwanted(double now);
 
   std::filesystem::path folder_;
   std::map<std::string, Document> documents_;            // that are wanted, by the names of their jobs

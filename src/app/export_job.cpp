@@ -44,8 +44,8 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     dialog.say(tr("Cancelled. Nothing was written."));
     cancelled_ = false;
   }
-  dialog.running = waiting_ || worker_.busy();
-  dialog.writing = dialog.running && (waiting_ ? *waiting_ : started_) == Task::write;
+  dialog.running = waiting_ || busy;
+  dialog.writing = dialog.running && waiting_.value_or(started_) == Task::write;
   dialog.fraction = waiting_ ? 0 : worker_.fraction();
 }
 

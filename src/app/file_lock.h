@@ -36,7 +36,7 @@ class FileLock {
 class SharedFileLock {
  public:
   /// Waits for it, at most `seconds`. Throws Error when it cannot be had.
-  explicit SharedFileLock(std::filesystem::path file, double seconds = 2);
+  explicit SharedFileLock(std::filesystem::path file, double seconds = 5);
   ~SharedFileLock() { lock_.removeFile(); }
   SharedFileLock(const SharedFileLock&) = delete;
   SharedFileLock& operator=(const SharedFileLock&) = delete;

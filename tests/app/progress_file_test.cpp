@@ -91,7 +91,7 @@ TEST(ProgressFile, WhereItHasVanishedIsWrittenAsAWhole) {
 TEST(ProgressFile, OfManyWindowsAtOnceLosesNoStep) {
   const TemporaryFolder folder;
   const std::string path = folder / "progress.json";
-  constexpr int windows = 4, steps = 12;
+  constexpr int windows = 4, steps = 6;
   std::vector<std::thread> threads;
   for (int window = 0; window < windows; ++window) {
     threads.emplace_back([&path, window] {

@@ -28,7 +28,10 @@ class RenderWindow : public GuiTest {
     editor().session.edit(level);
     ui().render.open = true;
     ui().render.longerSide = 64;
-    frames(2);
+    for (int i = 0; i < 3000 && !editor().updater.result().original.mesh; ++i) {
+      frames(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     ui().requests.startRender = true;
     frames(1);
     wait();

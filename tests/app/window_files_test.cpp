@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -164,13 +165,16 @@ TEST_F(RealWindowFiles, ClosingWithoutSavingLeavesFileAndNoTraces) {
 
 TEST_F(RealWindowFiles, KilledInADragOffersWhatItWasTenSecondsAgoOrLater) {
   start(home("works/mine.json"));
+  const Vector before = state().vector("eye");
+  const auto dragged = [&](const Vector& eye) { return glm::length(eye - before); };
   dragEye(false);
-  std::vector<std::pair<double, Vector>> eyes{{secondsOfClock(), state().vector("eye")}};
-  for (int i = 0; secondsOfClock() < eyes.front().first + 11; ++i) {
-    window->xdotool(i % 2 ? "mousemove_relative 3 0" : "mousemove_relative -- -2 0");
+  std::vector<std::pair<double, double>> way{{secondsOfClock(), dragged(state().vector("eye"))}};
+  while (secondsOfClock() < way.front().first + 11) {
+    window->xdotool("mousemove_relative 2 0");
     sleepFor(0.3);
-    eyes.emplace_back(secondsOfClock(), state().vector("eye"));
+    way.emplace_back(secondsOfClock(), dragged(state().vector("eye")));
   }
+  const double tenSecondsAgo = secondsOfClock() - 10;
   ASSERT_TRUE(state().is("changing"));
   kill();
   ASSERT_EQ(recoveries().size(), 1u);
@@ -190,10 +194,9 @@ TEST_F(RealWindowFiles, KilledInADragOffersWhatItWasTenSecondsAgoOrLater) {
   ASSERT_TRUE(window->waitFor(
       [](const State& s) { return s.text("title") == "Small (mine.json) * - Anamorph"; }, 20));
   const Vector kept = state().vector("eye");
-  const double killed = eyes.back().first;
-  EXPECT_TRUE(std::any_of(eyes.begin(), eyes.end(), [&](const auto& eye) {
-    return eye.second == kept && eye.first > killed - 10;
-  })) << "where the eye was in the last ten seconds";
+  const auto later =
+      std::find_if(way.begin(), way.end(), [&](const auto& place) { return place.first > tenSecondsAgo; });
+  EXPECT_GE(dragged(kept), std::prev(later)->second);
   EXPECT_EQ(recoveries().size(), 1u) << "it is kept until it is saved";
   window->withControl("s");
   ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
@@ -219,21 +222,35 @@ TEST_F(RealWindowFiles, KilledAfterSavingOffersNothing) {
   EXPECT_TRUE(recoveries().empty());
 }
 
-TEST_F(RealWindowFiles, SaysSoonThatChangesCannotBeKeptAndWorksOn) {
-  writeText(home("state"), "a file in the folder's place");
-  const Environment environment{
-      {"HOME", home("")}, {"XDG_STATE_HOME", home("state")}, {"XDG_CONFIG_HOME", home("config")}};
-  window = std::make_unique<VirtualWindow>(
-      std::vector<std::string>{home("works/mine.json"), std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj",
-                               "--size", "1000x700"},
-      environment);
-  ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("modified"); })) << window->errorText();
-  const auto isSaid = [](const State& s) { return s.text("message").find("kept") != std::string::npos; };
-  ASSERT_TRUE(window->waitFor(isSaid, 2.5)) << "no mouse, no key: " << state().text("message");
+TEST_F(RealWindowFiles, SaysByItselfThatChangesCannotBeKept) {
+  constexpr double kept = Autosave::gatherSeconds + Autosave::leastSeconds + 1;
+  start(home("works/mine.json"));
+  dragEye();
+  sleepFor(kept);
+  ASSERT_EQ(recoveries().size(), 1u);
+  const fs::path file = recoveries().front();
+  fs::remove(file);
+  fs::create_directory(file);
+  dragEye();
+  const auto isSaid = [](const State& s) {
+    return s.text("message").find("could not be kept") != std::string::npos;
+  };
+  ASSERT_TRUE(window->waitFor(isSaid, kept)) << "no mouse, no key: " << state().text("message");
   const double frame = state().number("frame");
-  EXPECT_TRUE(window->waitFor([&](const State& s) { return s.number("frame") > frame; }, 2)) << "is drawn";
+  EXPECT_TRUE(window->waitFor([&](const State& s) { return s.number("frame") > frame; }, 2)) << "it is drawn";
+}
+
+TEST_F(RealWindowFiles, WithoutAFolderForItsStateWorkOn) {
+  writeText(home("state"), "a file in the folder's place");
+  start(home("works/mine.json"), {std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj"});
+  ASSERT_TRUE(window->waitFor([](const State& s) {
+    return s.is("modified") && s.text("message").find("could not be kept") != std::string::npos;
+  })) << state().text("message");
   window->withControl("s");
   EXPECT_TRUE(window->waitFor([](const State& s) { return !s.is("modified"); }, 20));
+  window->askToClose();
+  EXPECT_TRUE(window->program().waitForEnd(20));
+  EXPECT_EQ(window->program().exitCode(), 0);
 }
 
 TEST_F(RealWindowFiles, ARecoveryThatFailsStaysAndSaysWhy) {

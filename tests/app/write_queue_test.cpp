@@ -2,6 +2,7 @@
 
 #include "app/write_queue.h"
 
+#include <algorithm>
 #include <chrono>
 #include <future>
 #include <memory>
