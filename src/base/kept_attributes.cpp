@@ -58,7 +58,7 @@ struct Copy {
   int file;
   const std::string& name;
   std::vector<std::string> lost = {};
-  bool groupKept = true;
+  bool groupAsBefore = true;
 
   void lose(const std::string& message) { lost.push_back(name + ": replaced, but " + message); }
   void loseForReason(const std::string& what) {
@@ -71,7 +71,7 @@ void copyOwner(Copy& copy, const struct stat& before, const struct stat& now) {
     copy.loseForReason("owner");
   }
   if (before.st_gid != now.st_gid && ::fchown(copy.file, sameOwner, before.st_gid) != 0) {
-    copy.groupKept = false;
+    copy.groupAsBefore = false;
     copy.loseForReason("group");
   }
 }
@@ -81,11 +81,11 @@ void copyAttributes(Copy& copy) {
   for (const std::string& attribute : attributeNames(copy.old)) {
     if (attribute.starts_with("security.")) continue;
     const bool isList = attribute == accessList;
-    if (isList && !copy.groupKept) {
+    if (isList && !copy.groupAsBefore) {
       copy.lose("its access control list is for a group that could not be kept");
     } else if (!copyAttribute(copy.old, copy.file, attribute)) {
       copy.loseForReason(isList ? "access control list" : "attribute " + attribute);
-      if (isList) copy.groupKept = false;
+      if (isList) copy.groupAsBefore = false;
     }
   }
 }
@@ -93,7 +93,7 @@ void copyAttributes(Copy& copy) {
 // Last: the owner's group gets what the old one had only if it is that one, else what anybody has.
 void copyRights(Copy& copy, const struct stat& before) {
   mode_t mode = before.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
-  if (!copy.groupKept) mode = (mode & (S_IRWXU | S_IRWXO)) | ((mode & S_IRWXO) << 3);
+  if (!copy.groupAsBefore) mode = (mode & (S_IRWXU | S_IRWXO)) | ((mode & S_IRWXO) << 3);
   if (::fchmod(copy.file, mode) != 0) copy.loseForReason("access rights");
 }
 

@@ -28,8 +28,13 @@ struct PowerCuts {
 inline std::string documentOn(const DiskImage& disk, const Document& document) {
   const TemporaryFolder folder;
   writeImage(disk, folder / "");
+  return document(folder / "");
+}
+
+/// Likewise, or what is wrong with it.
+inline std::string lookAt(const DiskImage& disk, const Document& document) {
   try {
-    return document(folder / "");
+    return documentOn(disk, document);
   } catch (const std::exception& error) {
     return std::string("unreadable: ") + error.what();
   }
@@ -53,7 +58,7 @@ inline PowerCuts cutPower(const std::vector<Step>& steps, const Document& docume
       const bool returned = applied == calls.size();
       for (const DiskImage& disk : model.imagesAfterPowerCut()) {
         ++cuts.disks;
-        const std::string found = documentOn(disk, document);
+        const std::string found = lookAt(disk, document);
         if (found == after || (!returned && found == before)) continue;
         const std::string moment = returned ? "after all was done" : "before " + describe(calls[applied]);
         if (cuts.fault.empty()) {
