@@ -94,6 +94,8 @@ std::string describe(const DiskCall& call) {
       return "truncate " + call.path;
     case DiskChange::sync:
       return "sync " + call.path;
+    case DiskChange::syncFolder:
+      return "sync folder " + call.path;
     case DiskChange::close:
       return "close " + call.path;
     case DiskChange::rename:
@@ -199,7 +201,9 @@ int fsync(int file) {
   const auto call = [&] { return static_cast<int>(::syscall(SYS_fsync, file)); };
   const std::lock_guard lock(mutex);
   const auto name = openedAs(file);
-  return name ? pass({DiskChange::sync, *name, file, {}, 0}, call) : call();
+  struct stat info {};
+  const bool folder = ::fstat(file, &info) == 0 && S_ISDIR(info.st_mode);
+  return name ? pass({folder ? DiskChange::syncFolder : DiskChange::sync, *name, file, {}, 0}, call) : call();
 }
 
 int close(int file) {

@@ -21,6 +21,7 @@ enum class DiskChange {
   write,
   truncate,
   sync,
+  syncFolder,
   close,
   rename,
   remove,

@@ -116,7 +116,8 @@ void DiskModel::apply(const DiskCall& call) {
       node.unsure = true;
       return;
     }
-    case DiskChange::sync: {
+    case DiskChange::sync:
+    case DiskChange::syncFolder: {
       Node& node = nodes_[open_.at(call.descriptor).node];
       node.sureEntries = node.entries;
       node.pending.clear();

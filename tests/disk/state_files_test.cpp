@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 using namespace testing;
 
+// Whoever left out one of the two flushes would lose it.
+template <typename MakeSteps>
+void expectOutlives(const MakeSteps& makeSteps, const Document& document) {
+  EXPECT_EQ(cutPower(makeSteps(), document).fault, "");
+  EXPECT_NE(cutPower(makeSteps(), document, DiskChange::sync).fault, "");
+  EXPECT_NE(cutPower(makeSteps(), document, DiskChange::syncFolder).fault, "");
+}
+
 TEST(StateFiles, PreferencesOutliveAPowerCut) {
   const auto save = [](const char* language) {
     return [=](const fs::path& folder) {
@@ -34,10 +44,10 @@ TEST(StateFiles, PreferencesOutliveAPowerCut) {
     if (!message.empty()) throw std::runtime_error(message);
     return preferences.language;
   };
-  EXPECT_EQ(cutPower({save("nl"), save("en")}, language).fault, "");
+  expectOutlives([&] { return std::vector<Step>{save("nl"), save("en")}; }, language);
 }
 
-std::string steps(const fs::path& file) {
+std::string stepsIn(const fs::path& file) {
   std::string message, text;
   for (const auto& [lesson, done] : loadProgress(file, message)) {
     for (const std::string& step : done) text += lesson + "/" + step + " ";
@@ -49,20 +59,21 @@ TEST(StateFiles, ProgressOutlivesAPowerCut) {
   const auto save = [](const char* step) {
     return [=](const fs::path& folder) { saveProgress(folder / "progress.json", {{"plane", {step}}}); };
   };
-  const Document done = [](const fs::path& folder) { return steps(folder / "progress.json"); };
-  EXPECT_EQ(cutPower({save("a"), save("b")}, done).fault, "");
+  const Document done = [](const fs::path& folder) { return stepsIn(folder / "progress.json"); };
+  expectOutlives([&] { return std::vector<Step>{save("a"), save("b")}; }, done);
 }
 
 TEST(StateFiles, ProgressThatIsBrokenIsKeptThroughAPowerCut) {
-  const Step breaks = [](const fs::path& folder) { writeFile(folder / "progress.json", "{ mine"); };
+  const std::string broken = "{ mine";
+  const Step breaks = [&](const fs::path& folder) { writeFile(folder / "progress.json", broken); };
   const Step saves = [](const fs::path& folder) { saveProgress(folder / "progress.json", {{"x", {"y"}}}); };
-  const Document broken = [](const fs::path& folder) {
+  const Document kept = [&](const fs::path& folder) {
     for (const char* name : {"progress.json.broken", "progress.json"}) {
-      if (fs::exists(folder / name) && steps(folder / name) == "broken") return "kept";
+      if (fs::exists(folder / name) && readFile(folder / name, 1000).view() == broken) return "kept";
     }
     return "none";
   };
-  EXPECT_EQ(cutPower({breaks, saves}, broken).fault, "");
+  expectOutlives([&] { return std::vector<Step>{breaks, saves}; }, kept);
 }
 
 TEST(StateFiles, RecentFilesOutliveAPowerCut) {
@@ -80,7 +91,7 @@ TEST(StateFiles, RecentFilesOutliveAPowerCut) {
     for (const fs::path& level : ui.recentLevels) text += level.string() + " ";
     return text;
   };
-  EXPECT_EQ(cutPower({save("/a"), save("/b")}, recent).fault, "");
+  expectOutlives([&] { return std::vector<Step>{save("/a"), save("/b")}; }, recent);
 }
 
 Level numbered(int number) {
@@ -100,35 +111,46 @@ std::string newest(const fs::path& folder) {
   return title;
 }
 
-TEST(StateFiles, UnsavedChangesOutliveAPowerCut) {
+// A window that keeps what it edits, and ends once it is saved.
+struct Window {
   Session session;
-  session.startNew(numbered(0));
   std::optional<Autosave> autosave;
-  const auto keep = [&](int number) {
-    return [&, number](const fs::path& folder) {
-      if (!autosave) autosave.emplace(folder / "state");
-      session.edit(numbered(number));
-      autosave->writeNow(session);
-    };
-  };
-  // The file of the unsaved changes goes when the level's own file has them, whatever the disk does first.
-  const Step save = [&](const fs::path& folder) {
+
+  Window() { session.startNew(numbered(0)); }
+  void keep(int number, const fs::path& folder) {
+    if (!autosave) autosave.emplace(folder / "state");
+    session.edit(numbered(number));
+    autosave->writeNow(session);
+  }
+  void saveAndEnd(const fs::path& folder) {
     session.saveTo(folder / "mine.json");
     autosave.reset();
+  }
+};
+
+// The file of the unsaved changes goes only when the level's own file has them for good.
+TEST(StateFiles, UnsavedChangesOutliveAPowerCut) {
+  const auto steps = [] {
+    const auto window = std::make_shared<Window>();
+    return std::vector<Step>{[=](const fs::path& folder) { window->keep(1, folder); },
+                             [=](const fs::path& folder) { window->keep(2, folder); },
+                             [=](const fs::path& folder) { window->saveAndEnd(folder); }};
   };
-  EXPECT_EQ(cutPower({keep(1), keep(2), save}, newest).fault, "");
+  expectOutlives(steps, newest);
 }
 
 TEST(StateFiles, LevelsThatWereLeftOutliveAPowerCut) {
-  std::optional<Autosave> autosave;
-  const auto keep = [&](int number) {
-    return [&, number](const fs::path& folder) {
-      if (!autosave) autosave.emplace(folder / "state");
-      ASSERT_EQ(autosave->keepLeft({{"/levels/a.json", numbered(number)}}), std::nullopt);
+  const auto steps = [] {
+    const auto autosave = std::make_shared<std::optional<Autosave>>();
+    const auto keep = [=](int number) {
+      return [=](const fs::path& folder) {
+        if (!*autosave) autosave->emplace(folder / "state");
+        ASSERT_EQ((*autosave)->keepLeft({{"/levels/a.json", numbered(number)}}), std::nullopt);
+      };
     };
+    return std::vector<Step>{keep(1), keep(2)};
   };
-  EXPECT_EQ(cutPower({keep(1), keep(2)}, newest).fault, "");
-  autosave.reset();
+  expectOutlives(steps, newest);
 }
 
 }  // namespace
