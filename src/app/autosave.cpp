@@ -207,7 +207,6 @@ Autosave::~Autosave() {
 // A name that no other window has, living or dead.
 RecoveryFile Autosave::freshSlot() const {
   makeFolder(folder_);
-  removeLeftTemporaries(folder_);
   std::error_code ignored;
   for (int i = 0; i < 100; ++i) {
     const std::string number = i == 0 ? "" : fmt::format("-{}", i);

@@ -70,20 +70,20 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   return p;
 }
 
-void savePreferences(const fs::path& path, const Preferences& p) {
+std::vector<std::string> savePreferences(const fs::path& path, const Preferences& p) {
   makeFolder(path.parent_path());
-  writeFile(path, formatJson(JsonObject()
-                                 .add("theme", std::string(themeName(p.theme)))
-                                 .add("language", p.language)
-                                 .add("uiScale", p.uiScale)
-                                 .add("vrtKeys", p.vrtKeys)
-                                 .add("legend", p.legend)
-                                 .add("tourSeen", p.tourSeen)
-                                 .add("leftWidth", std::round(p.leftWidth))
-                                 .add("rightWidth", std::round(p.rightWidth))
-                                 .add("previewHeight", std::round(p.previewHeight))
-                                 .value()) +
-                      "\n");
+  return writeFile(path, formatJson(JsonObject()
+                                        .add("theme", std::string(themeName(p.theme)))
+                                        .add("language", p.language)
+                                        .add("uiScale", p.uiScale)
+                                        .add("vrtKeys", p.vrtKeys)
+                                        .add("legend", p.legend)
+                                        .add("tourSeen", p.tourSeen)
+                                        .add("leftWidth", std::round(p.leftWidth))
+                                        .add("rightWidth", std::round(p.rightWidth))
+                                        .add("previewHeight", std::round(p.previewHeight))
+                                        .value()) +
+                             "\n");
 }
 
 const char* themeName(Theme theme) {

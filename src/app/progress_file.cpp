@@ -39,9 +39,7 @@ LessonProgress parse(const JsonValue& json, const std::string& file) {
 
 // What cannot be read is not written over.
 void setAside(const fs::path& path) {
-  std::error_code failure;
-  fs::rename(path, path.string() + ".broken", failure);
-  if (failure) throw Error("cannot be set aside: " + failure.message(), path.string());
+  renameFile(path, path.string() + ".broken");
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ LessonProgress loadProgress(const fs::path& path, std::string& message) {
   }
 }
 
-void saveProgress(const fs::path& path, LessonProgress progress) {
+std::vector<std::string> saveProgress(const fs::path& path, LessonProgress progress) {
   makeFolder(path.parent_path());
   std::string broken;
   const LessonProgress others = loadProgress(path, broken);
@@ -73,12 +71,12 @@ void saveProgress(const fs::path& path, LessonProgress progress) {
   for (const auto& [lesson, steps] : progress) {
     lessons.add(lesson, textList({steps.begin(), steps.end()}));
   }
-  writeFile(path, formatJson(JsonObject()
-                                 .add("format", std::string("anamorph-progress"))
-                                 .add("version", std::size_t{1})
-                                 .add("lessons", lessons.value())
-                                 .value()) +
-                      "\n");
+  return writeFile(path, formatJson(JsonObject()
+                                        .add("format", std::string("anamorph-progress"))
+                                        .add("version", std::size_t{1})
+                                        .add("lessons", lessons.value())
+                                        .value()) +
+                             "\n");
 }
 
 }  // namespace anamorph

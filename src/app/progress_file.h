@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "edit/lesson_state.h"
 
@@ -17,7 +18,7 @@ LessonProgress loadProgress(const std::filesystem::path& path, std::string& mess
 
 /// Adds to what the file has, which another window may have written, and replaces it atomically; no progress at
 /// all replaces it by nothing. A broken file is first set aside, as progress.json.broken. Makes the folder.
-/// Throws Error.
-void saveProgress(const std::filesystem::path& path, LessonProgress progress);
+/// Returns what could not be kept of the old one. Throws Error.
+std::vector<std::string> saveProgress(const std::filesystem::path& path, LessonProgress progress);
 
 }  // namespace anamorph

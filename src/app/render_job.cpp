@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "base/text.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
 
@@ -59,8 +60,9 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
 
 void RenderJob::save(const std::string& file) {
   worker_.request([file, image = image_, messages = messages_](const Progress&) {
-    savePng(file, *image);
-    messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));
+    const std::vector<std::string> lost = savePng(file, *image);
+    messages->put(withRemarks(
+        fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height), lost));
   });
 }
 

@@ -112,7 +112,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   if (const auto& problem = gui.editor().updater.result().problem) sayMessage(common, *problem);
   Bitmap bitmap = headless.readBack();
   if (options.transparent) divideByAlpha(bitmap);
-  savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap));
+  sayWarnings(common, savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap)));
   sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, bitmap.width, bitmap.height));
 }
 

@@ -27,6 +27,7 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/lesson_run.h"
 #include "edit/session.h"
 #include "gl/load_gl.h"
@@ -242,11 +243,15 @@ class MainWindow {
     }
   }
 
+  void tell(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) gui_->editor().message = warning;
+  }
+
   void keepProgress() {
     if (gui_->editor().progress == savedProgress_) return;
     savedProgress_ = gui_->editor().progress;
     try {
-      saveProgress(progressPath(), savedProgress_);
+      tell(saveProgress(progressPath(), savedProgress_));
     } catch (const Error& error) {
       gui_->editor().message = error.what();
     }
@@ -256,7 +261,7 @@ class MainWindow {
     if (gui_->ui().preferences == saved_) return;
     saved_ = gui_->ui().preferences;
     try {
-      savePreferences(preferencesPath(), saved_);
+      tell(savePreferences(preferencesPath(), saved_));
     } catch (const Error& error) {
       gui_->editor().message = error.what();
     }
@@ -276,8 +281,8 @@ class MainWindow {
   void takePicture(const ShotRequest& request) {
     try {
       const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
-      savePng(path, takeShot(*gui_, request));
-      say(fmt::format(fmt::runtime(tr("Written: {}")), path.string()));
+      const std::vector<std::string> lost = savePng(path, takeShot(*gui_, request));
+      say(withRemarks(fmt::format(fmt::runtime(tr("Written: {}")), path.string()), lost));
       if (!request.path.empty()) ++gui_->editor().exported;
     } catch (const Error& error) {
       say(error.what());

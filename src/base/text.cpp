@@ -11,4 +11,9 @@ std::string alternatives(const std::vector<std::string>& texts) {
   return list;
 }
 
+std::string withRemarks(std::string text, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) text += "; " + remark;
+  return text;
+}
+
 }  // namespace anamorph

@@ -51,7 +51,7 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
   file.scale = options.millimetresPerUnit;
   file.comment =
       "sculpture for the " + std::string(shapeName(input.level.optic.shape())) + " mirror, made by Anamorph";
-  saveMesh(options.output, sculpture.mesh, file);
+  sayWarnings(common, saveMesh(options.output, sculpture.mesh, file));
   const double end = secondsNow();
 
   const bool ownVertices = input.level.sculpture.tolerancePixels == 0;

@@ -30,8 +30,9 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const ImageRequest request = makeImageRequest(input.level, options.size, options.size, common.threads);
   const std::filesystem::path base = std::filesystem::path(options.folder) / entry.name;
-  savePng(base.string() + ".png", drawInput(finished, PictureKind::reflection, request, nullptr, common));
-  saveMesh(base.string() + ".obj", sculpture);
+  const Image image = drawInput(finished, PictureKind::reflection, request, nullptr, common);
+  sayWarnings(common, savePng(base.string() + ".png", image));
+  sayWarnings(common, saveMesh(base.string() + ".obj", sculpture));
   fmt::print("{:<14} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
              sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
              report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));

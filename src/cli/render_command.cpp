@@ -52,7 +52,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   if (kind == PictureKind::difference) match = matchInput(finished, width, height, common);
   const Image image =
       drawInput(finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, common);
-  savePng(options.output, image);
+  sayWarnings(common, savePng(options.output, image));
   sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, width, height));
 }
 

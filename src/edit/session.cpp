@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/language.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
@@ -75,17 +74,17 @@ void Session::recover(const std::filesystem::path& file, Level level,
   edit(std::move(level));
 }
 
-void Session::saveTo(const std::filesystem::path& path) {
+std::vector<std::string> Session::saveTo(const std::filesystem::path& path) {
   finishChange();
   const auto moved = [&](const Level& level) { return withMeshFrom(level, path_, path); };
   Level level = moved(level_);
-  saveLevel(path, level);
-  removeLeftTemporaries(path.parent_path());
+  std::vector<std::string> lost = saveLevel(path, level);
   for (Level& step : undo_) step = moved(step);
   for (Level& step : redo_) step = moved(step);
   level_ = saved_ = std::move(level);
   setPath(path);
   written_ = timeOf(path);
+  return lost;
 }
 
 bool Session::isFileChanged() const {

@@ -34,8 +34,9 @@ class Session {
   void recover(const std::filesystem::path& file, Level level,
                std::optional<std::filesystem::file_time_type> known = std::nullopt);
   /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
-  /// that goes on is finished first. Throws Error and leaves everything as it was, the file too.
-  void saveTo(const std::filesystem::path& path);
+  /// that goes on is finished first. Returns what could not be kept of the file that was replaced. Throws Error and
+  /// leaves everything as it was, the file too.
+  std::vector<std::string> saveTo(const std::filesystem::path& path);
 
   const Level& level() const { return level_; }
   /// Empty for a new level.

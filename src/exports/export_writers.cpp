@@ -59,7 +59,7 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
                              shapeName(finished.level.optic.shape()), surfaceName(finished.level.optic),
                              request.millimetresPerUnit);
   if (progress.cancelled()) return std::nullopt;
-  saveMesh(request.path, mesh, file);
+  for (std::string& lost : saveMesh(request.path, mesh, file)) summary.warnings.push_back(std::move(lost));
   return summary;
 }
 
@@ -72,10 +72,11 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const bool pdf = lowerEnding(request.path) == ".pdf";
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{
+  ExportSummary summary{
       fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
       findPlateWarnings(finished, arrangement)};
+  for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
+  return summary;
 }
 
 std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request,
@@ -85,8 +86,8 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
       ofVertices ? makeVertexRayObj(finished, *request.vertexRays, request.millimetresPerUnit, progress)
                  : makePixelRayObj(finished, request.millimetresPerUnit, progress);
   if (!text || progress.cancelled()) return std::nullopt;
-  writeFile(request.path, *text);
-  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
+  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"),
+                       writeFile(request.path, *text)};
 }
 
 std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
@@ -97,8 +98,8 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
   if (lowerEnding(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-    writeFile(request.path, formatJson(matchJson(match.report, counts)));
-    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
+    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade),
+                         writeFile(request.path, formatJson(matchJson(match.report, counts)))};
   }
   const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
   auto reflection =
@@ -109,8 +110,8 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
+  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade),
+                       writeFile(request.path, page)};
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
@@ -124,8 +125,8 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  savePng(request.path, *image);
-  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height), {}};
+  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height),
+                       savePng(request.path, *image)};
 }
 
 }  // namespace anamorph

@@ -45,7 +45,7 @@ Mesh scaled(Mesh mesh, double scale, const std::string& name) {
   return mesh;
 }
 
-void writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string comment) {
+std::vector<std::string> writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string comment) {
   // A comment may hold a file's name, and a file's name may hold a line break.
   std::replace_if(
       comment.begin(), comment.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -54,7 +54,7 @@ void writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string 
   if (format == Format::obj) writeObj(file, mesh, comment);
   if (format == Format::stl) writeStl(file, mesh, comment, path.string());
   if (format == Format::ply) writePly(file, mesh, comment);
-  file.commit();
+  return file.commit();
 }
 
 }  // namespace
@@ -82,12 +82,10 @@ Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits) {
   return readMesh(bytes.view(), path.string(), limits);
 }
 
-void saveMesh(const std::filesystem::path& path, const Mesh& mesh, const MeshFileOptions& options) {
-  if (options.scale == 1) {
-    writeMesh(path, mesh, options.comment);
-  } else {
-    writeMesh(path, scaled(mesh, options.scale, path.string()), options.comment);
-  }
+std::vector<std::string> saveMesh(const std::filesystem::path& path, const Mesh& mesh,
+                                  const MeshFileOptions& options) {
+  if (options.scale == 1) return writeMesh(path, mesh, options.comment);
+  return writeMesh(path, scaled(mesh, options.scale, path.string()), options.comment);
 }
 
 }  // namespace anamorph

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
@@ -34,7 +35,8 @@ struct MeshFileOptions {
 
 /// Replaces the file atomically, in the format its ending says: OBJ (numbers are the shortest that read back
 /// to the same double), binary STL (float), binary little-endian PLY (double). Meshes without triangles are
-/// allowed in OBJ and PLY. Throws Error.
-void saveMesh(const std::filesystem::path& path, const Mesh& mesh, const MeshFileOptions& options = {});
+/// allowed in OBJ and PLY. Returns what could not be kept of the file that was replaced. Throws Error.
+std::vector<std::string> saveMesh(const std::filesystem::path& path, const Mesh& mesh,
+                                  const MeshFileOptions& options = {});
 
 }  // namespace anamorph

@@ -89,7 +89,7 @@ LoadedLevel loadLevel(const std::filesystem::path& path) {
   return parseLevel(bytes.view(), path.string());
 }
 
-void saveLevel(const std::filesystem::path& path, const Level& level) {
+std::vector<std::string> saveLevel(const std::filesystem::path& path, const Level& level) {
   const std::string text = formatLevel(level);
   if (text.size() > maxLevelBytes) {
     throw Error(
@@ -97,7 +97,7 @@ void saveLevel(const std::filesystem::path& path, const Level& level) {
         path.string());
   }
   parseLevel(text, path.string());
-  writeFile(path, text);
+  return writeFile(path, text);
 }
 
 std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath) {

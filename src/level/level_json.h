@@ -35,9 +35,9 @@ std::string formatLevel(const Level& level);
 /// parseLevel of a file of at most 16 MiB.
 LoadedLevel loadLevel(const std::filesystem::path& path);
 
-/// Replaces the file atomically. Throws Error when it cannot, or when the level has a value that loadLevel
-/// would refuse: what was saved can be opened.
-void saveLevel(const std::filesystem::path& path, const Level& level);
+/// Replaces the file atomically. Returns what could not be kept of the file that was replaced. Throws Error when it
+/// cannot write it, or when the level has a value that loadLevel would refuse: what was saved can be opened.
+std::vector<std::string> saveLevel(const std::filesystem::path& path, const Level& level);
 
 /// Where the mesh of an original lies: relative paths start at the level's folder.
 std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/level_files.h"
 #include "edit/replacements.h"
 #include "geometry/mesh_files.h"
@@ -59,9 +60,9 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
 
 void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   try {
-    editor.session.saveTo(path);
+    const std::vector<std::string> lost = editor.session.saveTo(path);
     rememberLevel(ui, path);
-    editor.message = fmt::format(fmt::runtime(tr("Saved: {}")), path.string());
+    editor.message = withRemarks(fmt::format(fmt::runtime(tr("Saved: {}")), path.string()), lost);
   } catch (const Error& error) {
     ui.unsaved.reset();
     ui.notice = Notice{"The level could not be saved", error.what()};

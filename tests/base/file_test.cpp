@@ -173,6 +173,60 @@ TEST_F(Files, AFolderOrAMissingOneIsRefused) {
             at("none").string() + "/: cannot write: expected the name of a file");
 }
 
+// Another program may do anything between the first look and the rename.
+TEST_F(Files, WhatTookItsPlaceMeanwhileStays) {
+  const struct {
+    const char* what;
+    void (*put)(const fs::path&);
+    const char* error;
+  } cases[] = {
+      {"a folder", [](const fs::path& path) { fs::create_directory(path); },
+       "expected a file to replace, got a folder"},
+      {"a link", [](const fs::path& path) { fs::create_symlink("elsewhere", path); },
+       "expected a file to replace, got a link"},
+      {"a pipe", [](const fs::path& path) { ::mkfifo(path.c_str(), 0600); },
+       "expected a file to replace, got a pipe"},
+  };
+  for (const bool fresh : {false, true}) {
+    for (const auto& [what, put, error] : cases) {
+      SCOPED_TRACE(what);
+      if (!fresh) writeFile(at("a"), "old");
+      {
+        AtomicFile file(at("a"));
+        file.write("new");
+        fs::remove(at("a"));
+        put(at("a"));
+        const fs::file_type type = fs::symlink_status(at("a")).type();
+        EXPECT_EQ(errorOf([&] { file.commit(); }), at("a").string() + ": cannot write: " + error);
+        EXPECT_EQ(fs::symlink_status(at("a")).type(), type);
+      }
+      EXPECT_EQ(entries(), 1u) << "no temporary";
+      fs::remove(at("a"));
+    }
+  }
+}
+
+TEST_F(Files, WhatIsGoneMeanwhileIsMadeAnewButNotItsFolder) {
+  fs::create_directory(at("deep"));
+  writeFile(at("deep/a"), "old");
+  AtomicFile file(at("deep/a")), second(at("deep/b"));
+  fs::remove(at("deep/a"));
+  EXPECT_NO_THROW(file.commit());
+  EXPECT_EQ(contents(at("deep/a")), "");
+  fs::remove_all(at("deep"));
+  EXPECT_EQ(errorOf([&] { second.commit(); }), at("deep/b").string() + ": cannot write: its folder is gone");
+}
+
+TEST_F(Files, ANameThatIsGivenReplacesWhatHadIt) {
+  writeFile(at("a"), "1");
+  writeFile(at("b"), "2");
+  renameFile(at("a"), at("b"));
+  EXPECT_EQ(entries(), 1u);
+  EXPECT_EQ(contents(at("b")), "1");
+  EXPECT_EQ(errorOf([&] { renameFile(at("a"), at("b")); }),
+            at("a").string() + ": cannot be renamed to b: No such file or directory");
+}
+
 TEST_F(Files, WithoutPermissionTheOldFileStays) {
   if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   writeFile(at("a"), "old");

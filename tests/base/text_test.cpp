@@ -12,5 +12,10 @@ TEST(Alternatives, AreReadAsASentence) {
   EXPECT_EQ(alternatives({"a", "b", "c"}), "a, b or c");
 }
 
+TEST(Remarks, FollowTheText) {
+  EXPECT_EQ(withRemarks("Saved: a", {}), "Saved: a");
+  EXPECT_EQ(withRemarks("Saved: a", {"b", "c"}), "Saved: a; b; c");
+}
+
 }  // namespace
 }  // namespace anamorph

@@ -3,13 +3,11 @@
 
 #include <signal.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -314,51 +312,6 @@ TEST(FailedSave, OfALevelThatCouldNotBeOpenedSaysWhy) {
   session.edit(broken);
   expectNothingLost(session, folder / "", folder / "a.json", "radius");
   EXPECT_FALSE(fs::exists(folder / "a.json"));
-}
-
-// A child saves two levels in turn, over and over, and is killed at any moment.
-TEST(KilledSave, LeavesOneOfTheCompleteVersions) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "level.json";
-  Level versions[2] = {numbered(1), numbered(2)};
-  versions[1].text.edit(
-      [](LevelText& text) { text.description = std::string(200000, 'x'); });  // more than one write
-  saveLevel(path, versions[0]);
-  int seen[2] = {0, 0};
-  for (int round = 0; round < 60; ++round) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      for (int i = round;; ++i) saveLevel(path, versions[i % 2]);
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(500 + (round * 7919) % 15000));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it was killed, it did not fail";
-    const Level now = loadLevel(path).level;
-    ASSERT_TRUE(now == versions[0] || now == versions[1]) << "round " << round;
-    ++seen[now == versions[1]];
-  }
-  EXPECT_GT(seen[0] + seen[1], 0);
-}
-
-TEST(KilledSave, WhatItLeavesIsClearedAwayLater) {
-  const TemporaryFolder folder;
-  const auto age = [](const std::string& file, std::chrono::minutes minutes) {
-    fs::last_write_time(file, fs::file_time_type::clock::now() - minutes);
-  };
-  for (const char* name : {".anamorph-aB3xYz", ".anamorph-Fresh1", "anamorph-123456"}) {
-    writeText(folder / name, "{\"format\": ");
-    age(folder / name, std::chrono::minutes(20));
-  }
-  age(folder / ".anamorph-Fresh1", std::chrono::minutes(1));
-  Session session;
-  session.startNew(numbered(0));
-  session.saveTo(folder / "level.json");
-  EXPECT_FALSE(fs::exists(folder / ".anamorph-aB3xYz"));
-  EXPECT_TRUE(fs::exists(folder / ".anamorph-Fresh1")) << "somebody may still be writing it";
-  EXPECT_TRUE(fs::exists(folder / "anamorph-123456"));
 }
 
 }  // namespace
