@@ -15,6 +15,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "app/unsaved_bytes.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
@@ -200,6 +201,7 @@ void RecoveryFile::remove() {
 Autosave::~Autosave() {
   worker_.reset();                             // waits for what is being written
   if (std::uncaught_exceptions() > 0) return;  // the program is failing: this is what it is for
+  putUnsaved(nullptr);
   slot_.remove();
   for (auto& [path, left] : left_) left.slot.remove();
 }
@@ -261,8 +263,11 @@ void Autosave::write(const Session& session, bool wait) {
   if (canBeRead(session.level())) {  // else the last one that can be is worth more
     if (!slot_.lock.held()) slot_ = freshSlot();
     onDisk_ = true;
-    const auto job = [file = slot_.file, text = format(session.path(), session.level(), session.fileTime())](
-                         const Progress&) { writeFile(file, text); };
+    const auto job = [file = slot_.file,
+                      text = format(session.path(), session.level(), session.fileTime())](const Progress&) {
+      putUnsaved(std::make_unique<UnsavedBytes>(file.string(), text));
+      writeFile(file, text);
+    };
     if (!worker_) worker_ = std::make_unique<Worker>();
     wait ? job({}) : worker_->request(job);
   }
@@ -280,6 +285,7 @@ std::optional<std::string> Autosave::update(const Session& session, double now) 
     if (std::exchange(onDisk_, false)) {
       if (!worker_) worker_ = std::make_unique<Worker>();
       worker_->request([file = slot_.file](const Progress&) {
+        putUnsaved(nullptr);
         std::error_code ignored;
         fs::remove(file, ignored);
       });
