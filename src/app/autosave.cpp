@@ -82,8 +82,8 @@ std::string timeText(std::time_t time) {
   const double minutes = std::difftime(now, time) / 60;
   const std::string clock = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(time));
   if (minutes < 1 || minutes > 24 * 60) return clock;
-  if (minutes < 100) return fmt::format(fmt::runtime(tr("{}, {:.0f} minutes ago")), clock, minutes);
-  return fmt::format(fmt::runtime(tr("{}, {:.0f} hours ago")), clock, minutes / 60);
+  if (minutes < 100) return trFormat("{}, {:.0f} minutes ago", clock, minutes);
+  return trFormat("{}, {:.0f} hours ago", clock, minutes / 60);
 }
 
 void read(Rescued& rescued) {

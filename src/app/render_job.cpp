@@ -60,7 +60,7 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
 void RenderJob::save(const std::string& file) {
   worker_.request([file, image = image_, messages = messages_](const Progress&) {
     savePng(file, *image);
-    messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));
+    messages->put(trFormat("{}: {} x {} pixels", file, image->width, image->height));
   });
 }
 

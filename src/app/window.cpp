@@ -277,7 +277,7 @@ class MainWindow {
     try {
       const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
       savePng(path, takeShot(*gui_, request));
-      say(fmt::format(fmt::runtime(tr("Written: {}")), path.string()));
+      say(trFormat("Written: {}", path.string()));
       if (!request.path.empty()) ++gui_->editor().exported;
     } catch (const Error& error) {
       say(error.what());

@@ -166,8 +166,7 @@ void drawFooter(FileBrowser& b, const Look& look) {
   if (!b.replace.empty()) {
     ImGui::PushTextWrapPos();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(
-        fmt::format(fmt::runtime(tr("{} exists. Replace it?")), b.replace.filename().string()).c_str());
+    ImGui::TextUnformatted(trFormat("{} exists. Replace it?", b.replace.filename().string()).c_str());
     ImGui::PopTextWrapPos();
   } else {
     const bool oneLine = footerIsOneLine(b);

@@ -26,7 +26,7 @@ void drawHead(Editor& editor, UiState& ui) {
   std::string line = stepCount(run);
   if (run.open().optional) line += fmt::format(", {}", tr("optional"));
   quietText(ui, line.c_str());
-  const std::string points = fmt::format(fmt::runtime(tr("{} of {} points")), score.points, score.of);
+  const std::string points = trFormat("{} of {} points", score.points, score.of);
   const float x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(points.c_str()).x;
   ImGui::SameLine(x);
   quietText(ui, points.c_str());

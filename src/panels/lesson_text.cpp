@@ -87,7 +87,7 @@ void drawStepDots(Editor& editor, const Look& look) {
 }
 
 std::string stepCount(const LessonRun& run) {
-  return fmt::format(fmt::runtime(tr("Step {} of {}")), run.step + 1, run.lesson.steps.size());
+  return trFormat("Step {} of {}", run.step + 1, run.lesson.steps.size());
 }
 
 bool canShow(const LessonRun& run) {

@@ -39,8 +39,7 @@ void recentMenu(UiState& ui) {
     ImGui::PushID(path.c_str());
     if (ImGui::MenuItem(path.filename().c_str(), nullptr, false, there)) ui.requests.open = path;
     ImGui::PopID();
-    tooltip(there ? path.c_str()
-                  : fmt::format(fmt::runtime(tr("{} is not there any more.")), path.string()).c_str());
+    tooltip(there ? path.c_str() : trFormat("{} is not there any more.", path.string()).c_str());
   }
   ImGui::EndMenu();
 }

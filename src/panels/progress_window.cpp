@@ -27,9 +27,9 @@ void lessonRow(const LevelEntry& entry, const Editor& editor, const Look& look) 
     quietText(look, fmt::format("{}: {}", tr(entry.lesson.badge.title), tr(entry.lesson.badge.text)).c_str());
   }
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("{} of {} steps")), score.done, score.steps).c_str());
+  ImGui::TextUnformatted(trFormat("{} of {} steps", score.done, score.steps).c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("{} of {} points")), score.points, score.of).c_str());
+  ImGui::TextUnformatted(trFormat("{} of {} points", score.points, score.of).c_str());
 }
 
 // Asked twice, because it cannot be undone.
