@@ -76,8 +76,8 @@ void viewMenu(Editor& editor, UiState& ui) {
 
 void levelMenu(Editor& editor, UiState& ui) {
   for (const LevelEntry& entry : ui.levels) {
-    const char* title = entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str());
-    if (ImGui::MenuItem(title, nullptr, isOpen(editor, entry))) ui.requests.open = entry.path;
+    const std::string title = inOneLine(entry.title.empty() ? entry.name : tr(entry.title));
+    if (ImGui::MenuItem(title.c_str(), nullptr, isOpen(editor, entry))) ui.requests.open = entry.path;
   }
   ImGui::Separator();
   items({Action::previousLevel, Action::nextLevel}, editor, ui);

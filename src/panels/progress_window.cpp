@@ -22,7 +22,7 @@ void lessonRow(const LevelEntry& entry, const Editor& editor, const Look& look) 
   if (score.badge) drawStar({p.x + size / 2, p.y + size / 2}, size / 2);
   ImGui::Dummy({size, size});
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(tr(entry.title.c_str()));
+  ImGui::TextUnformatted(inOneLine(tr(entry.title)).c_str());
   if (score.badge) {
     quietText(look, fmt::format("{}: {}", tr(entry.lesson.badge.title), tr(entry.lesson.badge.text)).c_str());
   }
