@@ -16,6 +16,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include "app/crash_handler.h"
 #include "app/gui.h"
 #include "app/key_taps.h"
 #include "app/preferences.h"
@@ -27,6 +28,7 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/language.h"
+#include "cli/print.h"
 #include "edit/lesson_run.h"
 #include "edit/session.h"
 #include "gl/load_gl.h"
@@ -379,13 +381,14 @@ class MainWindow {
 }  // namespace
 
 void runWindow(const WindowOptions& options) {
+  installCrashHandler();
   const Glfw glfw;
   std::string message;
   Preferences preferences = loadPreferences(preferencesPath(), message);
   if (options.theme) preferences.theme = *options.theme;
   if (!options.language.empty()) preferences.language = options.language;
   if (options.uiScale) preferences.uiScale = *options.uiScale;
-  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  if (!message.empty()) printLine(stderr, message);
   MainWindow(options, preferences).run();
 }
 
