@@ -91,6 +91,7 @@ void LongTexts::draw(const std::string& english) {
   const std::size_t end = std::min(lineAt(clip.Max.y) + 1, count);
   for (std::size_t i = lineAt(clip.Min.y); i < end; ++i) {
     const std::string_view line = layout.lines[i];
+    ++drawn_;
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + static_cast<float>(i) * layout.size}, color,
                                         line.data(), line.data() + line.size());
   }

@@ -20,8 +20,9 @@ class LongTexts {
   /// stay with their percent sign.
   void draw(const std::string& english);
 
-  /// How many lines have been measured so far; grows only when a text, a font or a width is a new one.
+  /// How many lines have been measured so far (grows only when a text, a font or a width is a new one), and drawn.
   std::size_t measured() const { return measured_; }
+  std::size_t drawn() const { return drawn_; }
 
  private:
   struct Layout {
@@ -34,7 +35,7 @@ class LongTexts {
   void wrap(Layout& layout);
 
   std::list<Layout> layouts_;  // newest use first
-  std::size_t measured_ = 0;
+  std::size_t measured_ = 0, drawn_ = 0;
 };
 
 }  // namespace anamorph

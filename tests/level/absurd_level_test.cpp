@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Absurd{"TooLongStep", levelWith(lesson(step(letters(100'000)))),
                "l.json: /lesson/steps/0/why: expected at most 65536 bytes, got 100000"},
         Absurd{"TooLongLesson", levelWith(lesson(numberedSteps(20, letters(60'000)))),
-               "l.json: /lesson: expected at most 1048576 bytes, got 1200993"},
+               "l.json: /lesson: expected at most 1048576 bytes, got 1200992"},
         Absurd{"NumberBeyondAll", levelWith("\"background\": {\"top\": [0, 0, 1e308]}, "),
                "l.json: /background/top/2: expected a number from 0 to 1, got 1e308"},
         Absurd{"NumberBelowAll", levelWith("\"ground\": {\"height\": -1e308}, "),
