@@ -271,7 +271,7 @@ std::optional<std::string> Autosave::prepare(const Session& session) {
   if (!slot_.lock.held()) slot_ = freshSlot();
   onDisk_ = true;  // a crash may put it there
   std::string text = format(session.path(), session.level(), session.fileTime());
-  putUnsaved(std::make_unique<UnsavedBytes>(slot_.file.string(), text));
+  putUnsaved(std::make_unique<UnsavedBytes>(UnsavedBytes{slot_.file.string(), text}));
   return text;
 }
 
