@@ -28,8 +28,8 @@ struct Room {
 };
 
 const std::map<std::string, Room> rooms{
-    {"base", {{}, {}}},
-    {"math", {{"base"}, {"glm/"}}},
+    {"base", {{}, {"fmt/"}}},
+    {"math", {{"base"}, {"glm/", "fmt/"}}},
     {"geometry", {{"base", "math"}, {"glm/", "fmt/", "tiny_obj_loader.h"}}},
     {"optics", {{"base", "math", "geometry"}, {"glm/", "fmt/"}}},
     {"level", {{"base", "math", "geometry", "optics"}, {"glm/", "fmt/", "nlohmann/"}}},

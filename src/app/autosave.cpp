@@ -15,6 +15,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "app/crash_handler.h"
+#include "app/unsaved_bytes.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
@@ -81,8 +83,8 @@ std::string timeText(std::time_t time) {
   const double minutes = std::difftime(now, time) / 60;
   const std::string clock = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(time));
   if (minutes < 1 || minutes > 24 * 60) return clock;
-  if (minutes < 100) return fmt::format(fmt::runtime(tr("{}, {:.0f} minutes ago")), clock, minutes);
-  return fmt::format(fmt::runtime(tr("{}, {:.0f} hours ago")), clock, minutes / 60);
+  if (minutes < 100) return trFormat("{}, {:.0f} minutes ago", clock, minutes);
+  return trFormat("{}, {:.0f} hours ago", clock, minutes / 60);
 }
 
 void read(Rescued& rescued) {
@@ -198,8 +200,12 @@ void RecoveryFile::remove() {
 }
 
 Autosave::~Autosave() {
-  worker_.reset();                             // waits for what is being written
-  if (std::uncaught_exceptions() > 0) return;  // the program is failing: this is what it is for
+  worker_.reset();                       // waits for what is being written
+  if (std::uncaught_exceptions() > 0) {  // the program is failing: this is what it is for
+    writeUnsaved();
+    return;
+  }
+  putUnsaved(nullptr);
   slot_.remove();
   for (auto& [path, left] : left_) left.slot.remove();
 }
@@ -256,12 +262,21 @@ std::optional<double> Autosave::secondsUntilDue(double now) const {
   return std::max(0.0, *time - now);
 }
 
+// Puts the level where a crash finds it. Returns its text; nothing when it could not be read again: then the last one
+// that can be is worth more.
+std::optional<std::string> Autosave::prepare(const Session& session) {
+  prepared_ = session.level();
+  if (!canBeRead(session.level())) return std::nullopt;
+  if (!slot_.lock.held()) slot_ = freshSlot();
+  onDisk_ = true;  // a crash may put it there
+  std::string text = format(session.path(), session.level(), session.fileTime());
+  putUnsaved(std::make_unique<UnsavedBytes>(UnsavedBytes{slot_.file.string(), text}));
+  return text;
+}
+
 void Autosave::write(const Session& session, bool wait) {
-  if (canBeRead(session.level())) {  // else the last one that can be is worth more
-    if (!slot_.lock.held()) slot_ = freshSlot();
-    onDisk_ = true;
-    const auto job = [file = slot_.file, text = format(session.path(), session.level(), session.fileTime())](
-                         const Progress&) { writeFile(file, text); };
+  if (const auto text = prepare(session)) {
+    const auto job = [file = slot_.file, text = *text](const Progress&) { writeFile(file, text); };
     if (!worker_) worker_ = std::make_unique<Worker>();
     wait ? job({}) : worker_->request(job);
   }
@@ -276,6 +291,8 @@ void Autosave::writeNow(const Session& session) {
 std::optional<std::string> Autosave::update(const Session& session, double now) {
   if (!session.modified()) {
     kept_.reset();
+    prepared_.reset();
+    putUnsaved(nullptr);
     if (std::exchange(onDisk_, false)) {
       if (!worker_) worker_ = std::make_unique<Worker>();
       worker_->request([file = slot_.file](const Progress&) {
@@ -292,13 +309,18 @@ std::optional<std::string> Autosave::update(const Session& session, double now) 
   if (first || !(*seen_ == session.level())) seen_ = session.level();
   changing_ = session.changing();
   std::optional<std::string> failure = worker_ ? worker_->takeFailure() : std::nullopt;
-  if (const auto time = due(); time && now >= *time) {
-    lastWrite_ = now;
-    try {
+  const auto time = due();
+  const bool writes = time && now >= *time, rests = !changing_ || now >= lastPrepared_ + prepareSeconds;
+  try {
+    if (writes) {
+      lastWrite_ = now;
       write(session, false);
-    } catch (const Error& error) {
-      failure = error.what();
+    } else if (rests && !(prepared_ == session.level())) {
+      lastPrepared_ = now;
+      prepare(session);
     }
+  } catch (const Error& error) {
+    failure = error.what();
   }
   if (failure) kept_.reset();  // tried again in a moment
   return failure;

@@ -5,7 +5,8 @@
 //   a window lives:   recovery-4711.lock held      recovery-4711.json   nobody else's business
 //   it has died:      recovery-4711.lock free      recovery-4711.json   offered by the next one that starts
 //
-// The file is written by a worker, atomically. It goes away when the level is saved, and when the window ends
+// What a crash would leave is made at once after every change, as bytes in memory (unsaved_bytes.h); the file is written
+// by a worker some seconds later, atomically. It goes away when the level is saved, and when the window ends
 // as it should. Installed levels that were left changed have such files, too.
 #pragma once
 
@@ -80,6 +81,8 @@ class Autosave {
   std::optional<double> secondsUntilDue(double now) const;
 
   static constexpr double restSeconds = 3, leastSeconds = 6, mostSeconds = 120;
+  /// While a change goes on, a crash costs no more than this of it; otherwise nothing (crash_handler.h).
+  static constexpr double prepareSeconds = 1;
 
  private:
   std::optional<double> due() const;
@@ -88,15 +91,17 @@ class Autosave {
     Level level;
   };
   RecoveryFile freshSlot() const;
+  std::optional<std::string> prepare(const Session& session);
   void write(const Session& session, bool wait);
 
   std::filesystem::path folder_;
   RecoveryFile slot_;
   std::map<std::filesystem::path, Left> left_;
-  std::optional<Level> kept_;  // that the file holds, or will
-  std::optional<Level> seen_;  // of the last update, while it is modified
+  std::optional<Level> kept_;      // that the file holds, or will
+  std::optional<Level> prepared_;  // that a crash would leave
+  std::optional<Level> seen_;      // of the last update, while it is modified
   bool onDisk_ = false, changing_ = false;
-  double lastChange_ = 0, lastWrite_ = -1e9;
+  double lastChange_ = 0, lastWrite_ = -1e9, lastPrepared_ = -1e9;
   std::unique_ptr<Worker> worker_;
 };
 

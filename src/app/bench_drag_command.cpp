@@ -14,6 +14,7 @@
 #include "app/commands.h"
 #include "app/headless_gui.h"
 #include "base/error.h"
+#include "cli/print.h"
 #include "cli/report.h"
 #include "gl/load_gl.h"
 #include "level/level_library.h"
@@ -118,10 +119,10 @@ Recording drag(HeadlessGui& headless, Part part, int frames) {
 }
 
 void printTable(const std::string& what, const Recording& recording) {
-  fmt::print("{:<28} {:>9} {:>9} {:>9}\n", what + ", ms", "median", "p95", "max");
+  printLine(stdout, fmt::format("{:<28} {:>9} {:>9} {:>9}", what + ", ms", "median", "p95", "max"));
   for (const std::string& stage : recording.stages) {
     const Statistics s = statisticsOf(recording.values.at(stage));
-    fmt::print("{:<28} {:>9.2f} {:>9.2f} {:>9.2f}\n", stage, s.median, s.p95, s.max);
+    printLine(stdout, fmt::format("{:<28} {:>9.2f} {:>9.2f} {:>9.2f}", stage, s.median, s.p95, s.max));
   }
 }
 
@@ -160,8 +161,8 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
                   .value());
     return;
   }
-  fmt::print("{}: {} vertices, {} triangles, {} x {} pixels, {}\n", level.string(), vertices, triangles,
-             options.size.first, options.size.second, rendererName());
+  printLine(stdout, fmt::format("{}: {} vertices, {} triangles, {} x {} pixels, {}", level.string(), vertices,
+                                triangles, options.size.first, options.size.second, rendererName()));
   printTable("drag the eye", eye);
   printTable("drag the original", original);
 }

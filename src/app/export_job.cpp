@@ -64,8 +64,7 @@ void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& 
         } else {
           const auto summary = exportLevel(finished, request, threads, progress);
           if (!summary) return;
-          outcome.message =
-              fmt::format(fmt::runtime(tr("Written: {} ({})")), request.path.string(), summary->description);
+          outcome.message = trFormat("Written: {} ({})", request.path.string(), summary->description);
           outcome.lines = summary->warnings;
           outcome.written = true;
         }

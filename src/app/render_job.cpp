@@ -62,7 +62,7 @@ void RenderJob::save(const std::string& file) {
   worker_.request([file, image = image_, messages = messages_](const Progress&) {
     const std::vector<std::string> lost = savePng(file, *image);
     messages->put(withRemarks(
-        fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height), lost));
+        trFormat("{}: {} x {} pixels", file, image->width, image->height), lost));
   });
 }
 

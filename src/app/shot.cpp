@@ -82,9 +82,9 @@ Bitmap takeShot(Gui& gui, const ShotRequest& request) {
   const int width = guard.width() * factor, height = guard.height() * factor, most = Texture::maxSize();
   if (std::max(width, height) > most) {
     throw Error(
-        fmt::format(fmt::runtime(tr("A picture of {} x {} pixels is too large for this graphics card, which "
-                                    "can make {}. Choose a smaller one.")),
-                    width, height, most));
+        trFormat("A picture of {} x {} pixels is too large for this graphics card, which "
+                 "can make {}. Choose a smaller one.",
+                 width, height, most));
   }
   const Framebuffer target(width, height, {TexelFormat::rgba8});
   ImGuiIO& io = ImGui::GetIO();

@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/folder.h"
 #include "level/json_object.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
@@ -23,7 +24,8 @@ void append(const JsonValue& json, const std::string& key, Paths& paths, std::si
   const JsonValue* list = findMember(json, key);
   if (!list) return;
   for (const JsonValue& item : list->items) {
-    const bool usable = item.kind == JsonValue::Kind::string && fs::path(item.text).is_absolute();
+    const bool usable = item.kind == JsonValue::Kind::string && item.text.size() <= limits::mostPathBytes &&
+                        fs::path(item.text).is_absolute();
     const bool known = std::find(paths.begin(), paths.end(), item.text) != paths.end();
     if (usable && !known && paths.size() < most) paths.emplace_back(item.text);
   }

@@ -16,6 +16,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include "app/crash_handler.h"
 #include "app/gui.h"
 #include "app/key_taps.h"
 #include "app/preferences.h"
@@ -28,6 +29,7 @@
 #include "base/folder.h"
 #include "base/language.h"
 #include "base/text.h"
+#include "cli/print.h"
 #include "edit/lesson_run.h"
 #include "edit/session.h"
 #include "gl/load_gl.h"
@@ -282,7 +284,7 @@ class MainWindow {
     try {
       const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
       const std::vector<std::string> lost = savePng(path, takeShot(*gui_, request));
-      say(withRemarks(fmt::format(fmt::runtime(tr("Written: {}")), path.string()), lost));
+      say(withRemarks(trFormat("Written: {}", path.string()), lost));
       if (!request.path.empty()) ++gui_->editor().exported;
     } catch (const Error& error) {
       say(error.what());
@@ -384,13 +386,14 @@ class MainWindow {
 }  // namespace
 
 void runWindow(const WindowOptions& options) {
+  installCrashHandler();
   const Glfw glfw;
   std::string message;
   Preferences preferences = loadPreferences(preferencesPath(), message);
   if (options.theme) preferences.theme = *options.theme;
   if (!options.language.empty()) preferences.language = options.language;
   if (options.uiScale) preferences.uiScale = *options.uiScale;
-  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  if (!message.empty()) printLine(stderr, message);
   MainWindow(options, preferences).run();
 }
 

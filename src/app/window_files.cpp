@@ -27,8 +27,7 @@ void WindowFiles::update(double now) {
   if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given);
   Editor& editor = gui_.editor();
   for (const auto& failure : {autosave_.update(editor.session, now), autosave_.keepLeft(editor.leftLevels)}) {
-    if (failure)
-      editor.message = fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), *failure);
+    if (failure) editor.message = trFormat("Unsaved changes could not be kept: {}", *failure);
   }
   keepRecent();
 }

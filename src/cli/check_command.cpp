@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/print.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/evaluator.h"
@@ -63,9 +64,9 @@ void check(const std::vector<std::string>& files, const CommonOptions& common) {
   for (const std::string& file : files) {
     flushResults();  // in order with what goes to stderr
     try {
-      fmt::print("{}: {}\n", file, checkFile(file, common));
+      printLine(stdout, file + ": " + checkFile(file, common));
     } catch (const Error& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      printLine(stderr, error.what());
       ++bad;
     }
   }

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/print.h"
 #include "cli/report.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
@@ -162,12 +163,10 @@ JsonValue writeFiles(const LevelResult& finished, const std::vector<ExportReques
 void printCheck(const PrintCheck& check, std::size_t notMapped) {
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
   const std::vector<std::string> hints = findPrintHints(check);
-  fmt::print("{}{:<20}{}\n", formatPrintCheck(check), "printable",
-             !problems.empty() ? "not as it is"
-             : hints.empty()   ? "yes"
-                               : "yes, with care");
-  for (const std::string& problem : problems) fmt::print("- {}\n", problem);
-  for (const std::string& hint : hints) fmt::print("- {}\n", hint);
+  const char* printable = !problems.empty() ? "not as it is" : hints.empty() ? "yes" : "yes, with care";
+  printText(stdout, fmt::format("{}{:<20}{}\n", formatPrintCheck(check), "printable", printable));
+  for (const std::string& problem : problems) printLine(stdout, "- " + problem);
+  for (const std::string& hint : hints) printLine(stdout, "- " + hint);
 }
 
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {

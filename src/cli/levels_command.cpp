@@ -8,6 +8,7 @@
 #include "base/folder.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/print.h"
 #include "cli/report.h"
 #include "level/level_library.h"
 #include "raytrace/png.h"
@@ -33,9 +34,10 @@ void showLevel(const LevelEntry& entry, const LevelsOptions& options, const Comm
   const Image image = drawInput(finished, PictureKind::reflection, request, nullptr, common);
   sayWarnings(common, savePng(base.string() + ".png", image));
   sayWarnings(common, saveMesh(base.string() + ".obj", sculpture));
-  fmt::print("{:<14} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
-             sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
-             report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));
+  printLine(stdout, fmt::format("{:<14} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}", entry.name,
+                                sculpture.triangles.size(), report.silhouetteIou, report.p99Px,
+                                report.triangleAgreement, report.hiddenShare, report.missedShare,
+                                matchGradeName(gradeOf(report))));
   flushResults();
 }
 
@@ -43,19 +45,20 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
   const std::vector<LevelEntry> entries = listLevels();
   if (options.folder.empty()) {
     for (const LevelEntry& entry : entries) {
-      fmt::print("{:<14} {}\n", entry.name, entry.problem.empty() ? entry.title : entry.problem);
+      const std::string& text = entry.problem.empty() ? entry.title : entry.problem;
+      printLine(stdout, fmt::format("{:<14} {}", entry.name, text));
     }
     return;
   }
   makeFolder(options.folder);
-  fmt::print("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
-             "agreement", "hidden", "missed", "match");
+  printLine(stdout, fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}", "level", "triangles", "IoU",
+                                "p99 px", "agreement", "hidden", "missed", "match"));
   std::size_t bad = 0;
   for (const LevelEntry& entry : entries) {
     try {
       showLevel(entry, options, common);
     } catch (const Error& error) {  // the others are shown all the same
-      fmt::print(stderr, "{}\n", error.what());
+      printLine(stderr, error.what());
       ++bad;
     }
   }

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/print.h"
 #include "cli/report.h"
 
 namespace anamorph {
@@ -15,18 +16,19 @@ struct MatchOptions {
 };
 
 void printReport(const MatchReport& report, const StatusCounts& counts) {
-  fmt::print("match               {}\n", matchGradeName(gradeOf(report)));
-  fmt::print("silhouette IoU      {:.5f}\n", report.silhouetteIou);
-  if (report.comparedPixels > 0) {
-    fmt::print("correspondence      mean {:.3f} px, p99 {:.3f} px, max {:.3f} px\n", report.meanPx,
-               report.p99Px, report.maxPx);
-  } else {
-    fmt::print("correspondence      no pixel shows both\n");
-  }
-  fmt::print("triangle agreement  {:.5f}\n", report.triangleAgreement);
-  fmt::print("hidden share        {:.5f}\n", report.hiddenShare);
-  fmt::print("missed share        {:.5f}\n", report.missedShare);
-  fmt::print("status              {}\n", statusSentence(counts));
+  const auto line = [](const char* name, const std::string& value) {
+    printLine(stdout, fmt::format("{:<19} {}", name, value));
+  };
+  line("match", matchGradeName(gradeOf(report)));
+  line("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou));
+  line("correspondence", report.comparedPixels > 0
+                             ? fmt::format("mean {:.3f} px, p99 {:.3f} px, max {:.3f} px", report.meanPx,
+                                           report.p99Px, report.maxPx)
+                             : "no pixel shows both");
+  line("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement));
+  line("hidden share", fmt::format("{:.5f}", report.hiddenShare));
+  line("missed share", fmt::format("{:.5f}", report.missedShare));
+  line("status", statusSentence(counts));
 }
 
 void match(const MatchOptions& options, const CommonOptions& common) {

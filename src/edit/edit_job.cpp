@@ -40,9 +40,7 @@ std::optional<std::string> EditJob::update(Session& session) {
   const bool same = session.level() == started_->level && session.path() == started_->path;
   started_.reset();
   if (!result->level) return result->message;
-  if (!same)
-    return fmt::format(fmt::runtime(tr("{}: the level has been changed meanwhile, so nothing was done.")),
-                       name_);
+  if (!same) return trFormat("{}: the level has been changed meanwhile, so nothing was done.", name_);
   session.edit(std::move(*result->level));
   return result->message;
 }

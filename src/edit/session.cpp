@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
 
@@ -136,7 +137,7 @@ void Session::reset() {
 
 std::string windowTitle(const Session& session) {
   const std::filesystem::path& path = session.path();
-  std::string title = tr(session.level().text->title);
+  std::string title = shortened(tr(session.level().text->title), 300);
   if (!path.empty() && !session.isInstalled()) {
     const std::string file = path.filename().string();
     title = title.empty() ? file : title + " (" + file + ")";

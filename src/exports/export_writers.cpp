@@ -27,15 +27,16 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   const double hidden = fractionHiddenByPlate(finished, arrangement);
   if (hidden > hiddenWorthSaying) {
     warnings.push_back(
-        fmt::format(fmt::runtime(tr("the base plate hides {:.1f} % of the reflection: it stands between the "
-                                    "eye and the mirror, or between the mirror and the sculpture")),
-                    100 * hidden));
+        trFormat("the base plate hides {:.1f} % of the reflection: it stands between the "
+                 "eye and the mirror, or between the mirror and the sculpture",
+                 100 * hidden));
   }
   const double below = arrangement.table - arrangement.plate->lowerFace;
   if (below > 1e-9 * arrangement.plate->thickness) {
-    warnings.push_back(fmt::format(fmt::runtime(tr("the base plate's lower face is {:.1f} mm below the "
-                                                   "table: raise the mirror and the eye by as much")),
-                                   below));
+    warnings.push_back(
+        trFormat("the base plate's lower face is {:.1f} mm below the "
+                 "table: raise the mirror and the eye by as much",
+                 below));
   }
   return warnings;
 }
@@ -49,9 +50,8 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
   Mesh& mesh = arrangement.sculpture;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
-  summary.description =
-      fmt::format(fmt::runtime(tr("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm")),
-                  mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
+  summary.description = trFormat("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm",
+                                 mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
   if (arrangement.plate) summary.description += tr(" with its base plate");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
@@ -73,7 +73,7 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
   ExportSummary summary{
-      fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
+      trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
       findPlateWarnings(finished, arrangement)};
   for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
   return summary;
@@ -98,7 +98,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
   if (lowerEnding(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade),
+    return ExportSummary{trFormat("match report, {}", grade),
                          writeFile(request.path, formatJson(matchJson(match.report, counts)))};
   }
   const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
@@ -110,7 +110,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade),
+  return ExportSummary{trFormat("match report, {}", grade),
                        writeFile(request.path, page)};
 }
 
@@ -125,7 +125,7 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height),
+  return ExportSummary{trFormat("{} x {} pixels", width, height),
                        savePng(request.path, *image)};
 }
 

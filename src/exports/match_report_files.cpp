@@ -104,10 +104,9 @@ std::string levelSentence(const LevelResult& finished) {
   const Level& level = finished.level;
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
-  return fmt::format(
-      fmt::runtime(
-          tr("A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
-             "triangles; {}.")),
+  return trFormat(
+      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+      "triangles; {}.",
       tr(shapeName(level.optic.shape())), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
       level.sculpture.depthScale, sculpture.mesh.triangles.size(), shownStatus(sculpture.originalStatus));
 }
@@ -157,9 +156,9 @@ std::string makeMatchPage(const LevelResult& finished, const MatchReport& report
   page += figure(pictures.difference, "Difference", legend());
   page += "</div>\n" + figuresTable(report);
   page += "<p class=\"small\">" +
-          fmt::format(
-              fmt::runtime(tr("Compared in {} x {} pixels, two rays each: one straight to the original, one "
-                              "by way of the mirror to the sculpture. Made by Anamorph.")),
+          trFormat(
+              "Compared in {} x {} pixels, two rays each: one straight to the original, one "
+              "by way of the mirror to the sculpture. Made by Anamorph.",
               report.width, report.height) +
           "</p>\n</body>\n</html>\n";
   return page;

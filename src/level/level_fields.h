@@ -145,6 +145,7 @@ void fields(At& at, FileShape& file) {
   at.field("path", file.path);
   const bool isName = !file.path.empty() && file.path.find('\0') == std::string::npos;
   at.expect(isName, "path", "the name of a mesh file");
+  at.expect(file.path.size() <= limits::mostPathBytes, "path", "a shorter name of a mesh file");
 }
 
 template <typename At>
@@ -236,7 +237,7 @@ void fields(At& at, Level& level) {
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);
   at.object("view", level.view);
-  at.opaque("lesson", text.lesson);
+  at.opaque("lesson", text.lesson, limits::mostLessonBytes);
   level.text = std::move(text);
 }
 

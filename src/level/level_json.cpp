@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "level/field_reader.h"
 #include "level/field_writer.h"
 #include "level/json.h"
@@ -67,7 +68,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
   loaded.lesson = parseLesson(loaded.level.text->lesson, fileName);
   for (const UnknownKey& unknown : context.unknownKeys) {
     loaded.warnings.push_back(fmt::format("{}: {}: unknown key, {}", fileName,
-                                          joinJsonPath(unknown.object, unknown.key),
+                                          shortened(joinJsonPath(unknown.object, unknown.key), 300),
                                           loaded.isThesisScene ? "ignored" : "kept but not used"));
   }
   return loaded;

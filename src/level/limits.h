@@ -74,6 +74,13 @@ constexpr Limit shininess{{1, 1000}, {1, 128}};
 constexpr Range reflections{0, 8};     ///< that are followed in a row
 constexpr Range samplesPerAxis{1, 4};  ///< of a pixel
 
+// ---- Texts, in bytes: what is read aloud in an hour is not longer
+
+constexpr std::size_t mostTextBytes = std::size_t{64} << 10;  ///< of a title, a description, a text of a step
+constexpr std::size_t mostLessonBytes = std::size_t{1} << 20;
+constexpr std::size_t mostPathBytes = 4096;   ///< as the system
+constexpr std::size_t mostTitleBytes = 1000;  ///< that can be typed
+
 // ---- Lessons
 
 constexpr std::size_t mostSteps = 100, mostConditions = 8;

@@ -42,13 +42,13 @@ void choose(FileBrowser& b, const fs::path& path) {
 void chooseToOpen(FileBrowser& b, const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(path, ignored)) return choose(b, path);
-  b.problem = fmt::format(fmt::runtime(tr("{}: there is no such file")), path.string());
+  b.problem = trFormat("{}: there is no such file", path.string());
 }
 
 void chooseToSave(FileBrowser& b, fs::path path) {
   if (!hasEnding(b.purpose, path.filename().string())) path += b.ending;
   if (!isFolder(path.parent_path())) {
-    b.problem = fmt::format(fmt::runtime(tr("{}: there is no such folder")), path.parent_path().string());
+    b.problem = trFormat("{}: there is no such folder", path.parent_path().string());
     return;
   }
   std::error_code ignored;

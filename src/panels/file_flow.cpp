@@ -62,7 +62,7 @@ void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   try {
     const std::vector<std::string> lost = editor.session.saveTo(path);
     rememberLevel(ui, path);
-    editor.message = withRemarks(fmt::format(fmt::runtime(tr("Saved: {}")), path.string()), lost);
+    editor.message = withRemarks(trFormat("Saved: {}", path.string()), lost);
   } catch (const Error& error) {
     ui.unsaved.reset();
     ui.notice = Notice{"The level could not be saved", error.what()};
@@ -111,10 +111,9 @@ void saveCurrent(Editor& editor, UiState& ui) {
   finishEdits(editor, ui);
   if (!editor.session.isFileChanged()) return saveTo(path, editor, ui);
   browseFiles(ui.browser, FilePurpose::saveLevel, path);
-  ui.browser.problem = fmt::format(
-      fmt::runtime(
-          tr("{} has been changed by another program since it was opened or saved here. Replace it, or "
-             "save under another name.")),
+  ui.browser.problem = trFormat(
+      "{} has been changed by another program since it was opened or saved here. Replace it, or "
+      "save under another name.",
       path.filename().string());
 }
 
@@ -135,7 +134,7 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
   const Box box = originalBox(editor);
   const bool keepSize = editor.session.isThesisScene() && !editor.session.canUndo();
   const std::string name = meshNameFor(mesh, editor.session.path());
-  const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
+  const std::string reading = trFormat("Reading {}", mesh.filename().string());
   editor.job.start(
       editor.session, reading,
       [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
@@ -154,9 +153,8 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
         } else {
           result = withOriginal(level, FileShape{name}, read, room);
         }
-        return EditResult{
-            result, fmt::format(fmt::runtime(tr("{}: {} vertices, {} triangles")), mesh.filename().string(),
-                                read.positions.size(), read.triangles.size())};
+        return EditResult{result, trFormat("{}: {} vertices, {} triangles", mesh.filename().string(),
+                                           read.positions.size(), read.triangles.size())};
       });
 }
 
@@ -169,10 +167,10 @@ void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui
     }
   }
   if (files.empty()) return;
-  ui.notice = Notice{"This cannot be used here",
-                     fmt::format(fmt::runtime(tr("{}: expected a mesh (.obj, .stl, .ply), which takes the "
-                                                 "original's place, or a level (.json), which is opened.")),
-                                 files.front().filename().string())};
+  ui.notice =
+      Notice{"This cannot be used here", trFormat("{}: expected a mesh (.obj, .stl, .ply), which takes the "
+                                                  "original's place, or a level (.json), which is opened.",
+                                                  files.front().filename().string())};
 }
 
 void copyLevel(Editor& editor) {

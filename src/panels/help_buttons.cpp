@@ -22,8 +22,7 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
   }
   if (*lifted == level) return {std::nullopt, tr("Nothing is hidden: the eye is high enough.")};
   const double higher = lifted->camera.eye.z - level.camera.eye.z;
-  return {lifted,
-          fmt::format(fmt::runtime(tr("The eye is {:.2f} higher now, and nothing is hidden.")), higher)};
+  return {lifted, trFormat("The eye is {:.2f} higher now, and nothing is hidden.", higher)};
 }
 
 }  // namespace

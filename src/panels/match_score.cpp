@@ -63,8 +63,8 @@ MatchScore matchScore(const LevelResult& result) {
 std::string scoreText(const MatchScore& score) {
   const std::string match = matchGradeName(MatchGrade::match);
   // A word of its own where a language has another one for the grade than for what is measured.
-  if (score.word == match) return fmt::format(fmt::runtime(tr("match {}  match")), score.percent);
-  return fmt::format(fmt::runtime(tr("match {}  {}")), score.percent, tr(score.word));
+  if (score.word == match) return trFormat("match {}  match", score.percent);
+  return trFormat("match {}  {}", score.percent, tr(score.word));
 }
 
 ImVec4 scoreColor(const MatchScore& score, Theme theme) {

@@ -86,8 +86,7 @@ std::string missedText(const LevelResult& result) {
   constexpr std::array texts{
       "", "{} of {} vertices miss the mirror", "{} of {} vertices are in front of the mirror",
       "{} of {} vertex rays only graze the mirror", "{} of {} vertex rays meet the mirror a second time"};
-  return fmt::format(fmt::runtime(tr(texts.at(static_cast<std::size_t>(worst - counts.begin())))), *worst,
-                     all);
+  return trFormat(fmt::runtime(texts.at(static_cast<std::size_t>(worst - counts.begin()))), *worst, all);
 }
 
 bool placementRows(Placement& placement) {

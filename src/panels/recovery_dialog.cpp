@@ -22,7 +22,7 @@ void entryRow(RecoveryDialog& dialog, std::size_t index, const Look& look) {
   ImGui::SetCursorPos(p);
   {
     const FontScope strong(look.fonts.strong);
-    ImGui::TextUnformatted(entry.title.c_str());
+    ImGui::TextUnformatted(inOneLine(entry.title).c_str());
   }
   ImGui::SameLine();
   ImGui::TextDisabled("%s", entry.time.c_str());

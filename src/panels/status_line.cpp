@@ -22,8 +22,7 @@ std::string figures(const UiState& ui, const LevelResult& result) {
   std::string text;
   if (result.sculpture.sculpture) {
     const Mesh& mesh = result.sculpture.sculpture->mesh;
-    text = fmt::format(fmt::runtime(tr("{} vertices  {} triangles")), mesh.positions.size(),
-                       mesh.triangles.size());
+    text = trFormat("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
   }
   if (!ui.headless) text += fmt::format("   {:.0f} ms", ui.frameMilliseconds);
   return text;
@@ -65,9 +64,9 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
-  const std::string message = !editor.message.empty()      ? editor.message
+  const std::string message = !editor.message.empty()    ? editor.message
                               : !result.warnings.empty() ? result.warnings.front()
-                                                           : std::string();
+                                                         : std::string();
   const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;

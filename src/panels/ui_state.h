@@ -17,6 +17,7 @@
 #include "panels/keys.h"
 #include "panels/layout.h"
 #include "panels/lesson_scroll.h"
+#include "panels/long_text.h"
 #include "panels/look.h"
 #include "panels/notice_dialog.h"
 #include "panels/preferences.h"
@@ -69,6 +70,7 @@ struct UiState : Look {
   KeyFocus keyFocus;
   Highlight highlight;
   LessonScroll lessonScroll;
+  LongTexts longTexts;
   PropertyTabs tabs;
   ViewMouse mouse;                      ///< in the 3D view
   std::optional<GridCell> hoveredCell;  ///< in the preview

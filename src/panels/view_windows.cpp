@@ -26,6 +26,11 @@ float scaled(const UiState& ui, float length) {
   return length * static_cast<float>(ui.scale);
 }
 
+// At most so wide, and no wider than leaves something of the view.
+float wrapAt(const UiState& ui, float width) {
+  return std::min(scaled(ui, width), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60)));
+}
+
 // The window that has just begun goes in front of the view and behind everything else: Dear ImGui has no flag for
 // that, only a list of windows from back to front.
 void placeAboveView() {
@@ -117,10 +122,7 @@ void drawProblem(Editor& editor, UiState& ui) {
     const FontScope strong(ui.fonts.strong);
     ImGui::TextColored(ink::bad(ui.theme), "%s", tr("There is no sculpture"));
   }
-  ImGui::PushTextWrapPos(
-      std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
-  ImGui::TextUnformatted(capitalised(*problem).c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(capitalised(*problem), wrapAt(ui, 460));
   repairButtons(editor, ui);
   ImGui::End();
 }
@@ -128,10 +130,9 @@ void drawProblem(Editor& editor, UiState& ui) {
 void drawViewProblem(const UiState& ui) {
   if (ui.viewProblem.empty()) return;
   beginFloating(ui, "##view-problem", {0, 0}, 0.94f, 6);
-  ImGui::PushTextWrapPos(
-      std::min(scaled(ui, 320), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
-  ImGui::TextColored(ink::middling(ui.theme), "%s", capitalised(ui.viewProblem).c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::middling(ui.theme));
+  paragraph(capitalised(ui.viewProblem), wrapAt(ui, 320));
+  ImGui::PopStyleColor();
   ImGui::End();
 }
 

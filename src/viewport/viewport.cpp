@@ -163,9 +163,8 @@ Bitmap Viewport::readBack() const {
 std::string Viewport::problem() const {
   std::string problem = parts_->surfaces.problem();
   if (parts_->input.level.lights.size() > gpuLightLimit) {
-    problem +=
-        (problem.empty() ? "" : "; ") +
-        fmt::format(fmt::runtime(tr("only the first {} lights are shown in the 3D view")), gpuLightLimit);
+    problem += (problem.empty() ? "" : "; ") +
+               trFormat("only the first {} lights are shown in the 3D view", gpuLightLimit);
   }
   return problem;
 }

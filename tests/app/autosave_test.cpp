@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/state_folder.h"
+#include "app/unsaved_bytes.h"
 #include "base/error.h"
 #include "cli/program.h"
 #include "level/level_json.h"
@@ -113,6 +114,21 @@ TEST_F(Autosaves, LeaveNothingWhenSavedOrEnded) {
     EXPECT_EQ(files(), 1u);
   }
   EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(Autosaves, AreThereAsBytesForWhoeverHandlesACrash) {
+  {
+    Autosave autosave(folder);
+    session.edit(numbered(1));
+    autosave.writeNow(session);
+    const std::unique_ptr<const UnsavedBytes> taken(takeUnsaved());
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(readAll(taken->file), taken->bytes);
+    EXPECT_EQ(takeUnsaved(), nullptr) << "they are whose who took them";
+    session.edit(numbered(2));
+    autosave.writeNow(session);
+  }
+  EXPECT_EQ(takeUnsaved(), nullptr) << "it ended as it should";
 }
 
 TEST_F(Autosaves, OfAWindowThatLivesAreNobodyElses) {

@@ -93,10 +93,10 @@ class RealWindowFiles : public WindowTest {
     }
     return files;
   }
-  void kill() {
-    ::kill(window->program().pid(), SIGKILL);
+  void kill(int signal = SIGKILL) {
+    ::kill(window->program().pid(), signal);
     ASSERT_TRUE(window->program().waitForEnd(20));
-    EXPECT_EQ(window->program().exitCode(), -SIGKILL);
+    EXPECT_EQ(window->program().exitCode(), -signal);
   }
 
   TemporaryFolder folder;
@@ -192,6 +192,21 @@ TEST_F(RealWindowFiles, KilledInADragOffersWhatWasBefore) {
   window->askToClose();
   ASSERT_TRUE(window->program().waitForEnd(20));
   EXPECT_TRUE(recoveries().empty());
+}
+
+// An assertion of a library ends the program this way, long before unsaved changes are due on disk.
+TEST_F(RealWindowFiles, AbortedRightAfterAnEditOffersIt) {
+  start(home("works/mine.json"));
+  dragEye();
+  const Vector edited = state().vector("eye");
+  kill(SIGABRT);
+  EXPECT_EQ(recoveries().size(), 1u);
+  start("1-plane");
+  ASSERT_TRUE(waitForDialog("recovery"));
+  window->key("Return");
+  ASSERT_TRUE(window->waitFor(
+      [](const State& s) { return s.text("title") == "Small (mine.json) * - Anamorph"; }, 20));
+  EXPECT_EQ(state().vector("eye"), edited);
 }
 
 TEST_F(RealWindowFiles, ARecoveryThatFailsStaysAndSaysWhy) {
