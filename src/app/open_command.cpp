@@ -50,7 +50,7 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->group("");  // for tests and demonstrations: not in the help
   command->callback([options] {
     WindowOptions window;
-    if (isMeshFile(options->level) && options->model.empty()) {
+    if (isModelFile(options->level) && options->model.empty()) {
       options->model = std::exchange(options->level, "1-plane");
     }
     window.model = options->model;

@@ -14,7 +14,8 @@ namespace anamorph {
 namespace {
 
 std::string checkMesh(const std::string& file, const CommonOptions& common) {
-  const Mesh mesh = loadMesh(file, common.meshLimits());
+  const auto [mesh, warnings] = loadMesh(file, common.meshLimits());
+  sayWarnings(common, warnings);
   const Vector size = boundingBox(mesh.positions).size();
   const WeldedMesh welded = weldPositions(mesh);
   if (welded.mesh.triangles.empty()) throw Error("expected triangles with an area, got none", file);
@@ -34,7 +35,8 @@ std::string checkScene(const Level& level) {
 std::string checkLevel(const std::string& path, const Level& level, const CommonOptions& common) {
   constexpr int matchSize = 256;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
-  const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
+  sayWarnings(common, shape.warnings);
+  const auto original = placeOriginal(*shape.mesh, level.original.unitize, level.original.placement);
   const LevelResult finished = *finishLevel(level, original, common.threads);
   if (finished.problem) throw Error(*finished.problem);
   const Sculpture& sculpture = *finished.sculpture.sculpture;
@@ -47,7 +49,7 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
 }
 
 std::string checkFile(const std::string& file, const CommonOptions& common) {
-  if (isMeshFile(file)) return checkMesh(file, common);
+  if (isModelFile(file)) return checkMesh(file, common);
   const std::string path = findLevel(file).string();
   const LoadedLevel loaded = loadLevel(path);
   sayWarnings(common, loaded.warnings);

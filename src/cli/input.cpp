@@ -25,11 +25,12 @@ std::string checkTolerance(std::string& text) {
 
 std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const CommonOptions& common,
                                             const std::string& levelPath, bool isScene, Level& level) {
-  Mesh model = loadMesh(options.model, common.meshLimits());
-  if (isScene || options.unitize) return placeOriginal(model, options.unitize, level.original.placement);
-  const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits());
+  LoadedMesh model = loadMesh(options.model, common.meshLimits());
+  sayWarnings(common, model.warnings);
+  if (isScene || options.unitize) return placeOriginal(model.mesh, options.unitize, level.original.placement);
+  const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits()).mesh;
   const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
-  return std::make_shared<const Mesh>(fitInto(std::move(model), boundingBox(placed->positions)));
+  return std::make_shared<const Mesh>(fitInto(std::move(model.mesh), boundingBox(placed->positions)));
 }
 
 void applyOptions(const InputOptions& options, Level& level) {
@@ -62,7 +63,7 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
 
 Input loadInput(const InputOptions& options, const CommonOptions& common) {
   const double start = secondsNow();
-  if (isMeshFile(options.file)) {
+  if (isModelFile(options.file)) {
     throw UsageError(options.file +
                      " is a mesh: name a level or a scene first, then the mesh, for example: "
                      "anamorph match 2-cylinder " +
@@ -83,8 +84,9 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
     input.original = replaceOriginal(options, common, path, loaded.isThesisScene, input.level);
   } else {
     const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
+    sayWarnings(common, own.warnings);
     input.original =
-        placeOriginal(*own, input.level.original.unitize || options.unitize, input.level.original.placement);
+        placeOriginal(*own.mesh, input.level.original.unitize || options.unitize, input.level.original.placement);
   }
   applyOptions(options, input.level);
   if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();

@@ -82,7 +82,7 @@ Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box) 
   if (auto* filling = std::get_if<BoxShape>(&shape); filling && !box.empty()) {
     filling->size = glm::clamp(box.size(), Vector(limits::lengths.min), Vector(limits::lengths.max));
   }
-  const auto mesh = loadOriginal(shape, {});
+  const auto mesh = loadOriginal(shape, {}).mesh;
   return withOriginal(level, std::move(shape), *mesh, box);
 }
 

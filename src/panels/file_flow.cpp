@@ -138,10 +138,10 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
   editor.job.start(
       editor.session, reading,
       [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
-        const Mesh read = loadMesh(mesh);
+        const auto [read, warnings] = loadMesh(mesh);
         Box room = box;
         if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
-          const auto own = loadOriginal(level.original.shape, levelPath);
+          const auto own = loadOriginal(level.original.shape, levelPath).mesh;
           room =
               boundingBox(placeOriginal(*own, level.original.unitize, level.original.placement)->positions);
         }
@@ -153,14 +153,15 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
         } else {
           result = withOriginal(level, FileShape{name}, read, room);
         }
-        return EditResult{result, trFormat("{}: {} vertices, {} triangles", mesh.filename().string(),
-                                           read.positions.size(), read.triangles.size())};
+        std::string message = trFormat("{}: {} vertices, {} triangles", mesh.filename().string(),
+                                       read.positions.size(), read.triangles.size());
+        return EditResult{result, withRemarks(message, warnings)};
       });
 }
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isMeshFile(file)) return importOriginal(editor, file);
+    if (isModelFile(file)) return importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;

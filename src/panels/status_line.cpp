@@ -64,9 +64,10 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
-  const std::string message = !editor.message.empty()    ? editor.message
-                              : !result.warnings.empty() ? result.warnings.front()
-                                                         : std::string();
+  const std::string message = !editor.message.empty()           ? editor.message
+                              : !result.warnings.empty()      ? result.warnings.front()
+                              : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
+                                                              : std::string();
   const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/original.h"
-
 namespace anamorph {
 namespace {
 
@@ -104,8 +102,11 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
     if (progress.cancelled()) throw Cancelled();
   };
   try {
-    result.shape = shape_.get({level.original.shape, input.levelPath},
-                              [](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath); });
+    const LoadedOriginal loaded =
+        shape_.get({level.original.shape, input.levelPath},
+                   [](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath); });
+    result.shape = loaded.mesh;
+    result.shapeWarnings = loaded.warnings;
     if (progress.cancelled()) return std::nullopt;
     result.original = original_.get(
         {result.shape, level.original.unitize, level.original.placement}, [&](const PlaceKey& key) {

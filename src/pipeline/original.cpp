@@ -15,14 +15,14 @@ struct ShapeMaker {
   const std::filesystem::path& levelPath;
   const MeshLimits& limits;
 
-  Mesh operator()(const BoxShape& s) const { return makeBox(s.size, s.segments); }
-  Mesh operator()(const SphereShape& s) const { return makeSphere(s.radius, s.segments); }
-  Mesh operator()(const TorusKnotShape& s) const {
-    return makeTorusKnot(s.p, s.q, s.tubeRadius, s.segments, s.sides);
+  LoadedMesh operator()(const BoxShape& s) const { return {makeBox(s.size, s.segments), {}}; }
+  LoadedMesh operator()(const SphereShape& s) const { return {makeSphere(s.radius, s.segments), {}}; }
+  LoadedMesh operator()(const TorusKnotShape& s) const {
+    return {makeTorusKnot(s.p, s.q, s.tubeRadius, s.segments, s.sides), {}};
   }
-  Mesh operator()(const LetterFShape& s) const { return makeLetterF(s.height, s.segments); }
-  Mesh operator()(const PawnShape& s) const { return makePawn(s.height, s.segments); }
-  Mesh operator()(const FileShape& s) const {
+  LoadedMesh operator()(const LetterFShape& s) const { return {makeLetterF(s.height, s.segments), {}}; }
+  LoadedMesh operator()(const PawnShape& s) const { return {makePawn(s.height, s.segments), {}}; }
+  LoadedMesh operator()(const FileShape& s) const {
     try {
       return loadMesh(modelPath(s, levelPath), limits);
     } catch (const Error& error) {
@@ -33,9 +33,10 @@ struct ShapeMaker {
 
 }  // namespace
 
-std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                                         const MeshLimits& limits) {
-  return std::make_shared<const Mesh>(std::visit(ShapeMaker{levelPath, limits}, shape));
+LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
+                            const MeshLimits& limits) {
+  LoadedMesh loaded = std::visit(ShapeMaker{levelPath, limits}, shape);
+  return {std::make_shared<const Mesh>(std::move(loaded.mesh)), std::move(loaded.warnings)};
 }
 
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement) {

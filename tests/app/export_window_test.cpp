@@ -80,7 +80,7 @@ TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
   const LevelResult& result = editor().updater.result();
-  EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
+  EXPECT_EQ(loadMesh(folder / "s.ply").mesh.triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
 }
 
 TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {

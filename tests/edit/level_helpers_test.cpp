@@ -90,7 +90,7 @@ TEST(FittedToMirror, NothingWithoutAWay) {
 }
 
 std::shared_ptr<const Mesh> originalOf(const Level& level) {
-  return placeOriginal(*loadOriginal(level.original.shape, {}), level.original.unitize,
+  return placeOriginal(*loadOriginal(level.original.shape, {}).mesh, level.original.unitize,
                        level.original.placement);
 }
 

@@ -136,7 +136,7 @@ class MovedLevel : public ::testing::Test {
   }
   const std::string& meshPath() const { return std::get<FileShape>(session.level().original.shape).path; }
   bool findsMesh() const {
-    return loadOriginal(session.level().original.shape, session.path())->positions.size() == 8;
+    return loadOriginal(session.level().original.shape, session.path()).mesh->positions.size() == 8;
   }
 
   TemporaryFolder folder;
@@ -186,7 +186,7 @@ TEST_F(MovedLevel, AsTextIsFoundFromEverywhere) {
   EXPECT_EQ(text.find('\n'), std::string::npos);
   Session other;
   other.startNew(levelFromText(text, {}));
-  EXPECT_EQ(loadOriginal(other.level().original.shape, {})->positions.size(), 8u);
+  EXPECT_EQ(loadOriginal(other.level().original.shape, {}).mesh->positions.size(), 8u);
   EXPECT_EQ(levelFromText(text, session.path()), session.level());
 }
 
