@@ -18,6 +18,7 @@
 #include "panels/layout.h"
 #include "panels/lesson_scroll.h"
 #include "panels/look.h"
+#include "panels/mesh_dialog.h"
 #include "panels/notice_dialog.h"
 #include "panels/preferences.h"
 #include "panels/progress_window.h"
@@ -52,6 +53,7 @@ struct UiState : Look {
   std::optional<Notice> notice;
   FileBrowser browser;
   std::optional<UnsavedQuestion> unsaved;
+  std::optional<MeshQuestion> meshQuestion;
   RecoveryDialog recovery;
   DialogKeys dialogKeys;                            ///< since the last frame
   std::vector<std::filesystem::path> recentLevels;  ///< newest first; kept between runs

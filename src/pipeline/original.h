@@ -10,8 +10,8 @@
 
 namespace anamorph {
 
-/// The level's own original, before it is placed: a built-in shape, or a mesh file beside the level. Throws
-/// Error.
+/// The level's own original, before it is placed: a built-in shape, a mesh file beside the level, or a mesh inside it.
+/// Throws Error.
 std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
                                          const MeshLimits& limits = {});
 
