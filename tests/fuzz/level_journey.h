@@ -32,7 +32,7 @@ namespace anamorph::testing {
 struct Journey {
   bool read = false;
   bool hasSculpture = false;
-  std::size_t exports = 0;  ///< files that were written
+  std::size_t exports = 0;  ///< files that were written, without base plates
 };
 
 // As it is, but small: how fine and large things are is limited elsewhere.
@@ -100,7 +100,21 @@ inline void checkText(const std::filesystem::path& path) {
   }
 }
 
-// Whatever stands in a format's row; a refusal is an Error.
+// Whether the file was written; a refusal is an Error.
+inline bool isExported(const LevelResult& finished, const ExportRequest& request) {
+  try {
+    exportLevel(finished, request);
+  } catch (const Error& error) {
+    CHECK(!error.message.empty());
+    return false;
+  }
+  const std::string ending = request.path.extension();
+  const bool isBinary = ending == ".pdf" || ending == ".png" || ending == ".stl" || ending == ".ply";
+  if (!isBinary) checkText(request.path);
+  return true;
+}
+
+// As every kind of file, with a base plate and without one.
 inline std::size_t exportAll(const LevelResult& finished, const std::filesystem::path& folder) {
   std::size_t written = 0;
   for (const ExportFormat& format : exportFormats()) {
@@ -111,17 +125,9 @@ inline std::size_t exportAll(const LevelResult& finished, const std::filesystem:
       request.size = 16;
       request.vertexRays = 5;
       request.picture = PictureKind::difference;
-      if (written % 2 == 0) request.basePlate = BasePlateSettings{};
-      try {
-        exportLevel(finished, request);
-      } catch (const Error& error) {
-        CHECK(!error.message.empty());
-        continue;
-      }
-      const std::string_view kind = ending;
-      const bool isBinary = kind == ".pdf" || kind == ".png" || kind == ".stl" || kind == ".ply";
-      if (!isBinary) checkText(request.path);
-      ++written;
+      written += isExported(finished, request);
+      request.basePlate = BasePlateSettings{};
+      if (format.has(ExportOption::basePlate)) isExported(finished, request);
     }
   }
   return written;
