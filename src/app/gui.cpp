@@ -18,6 +18,7 @@
 #include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels/key_input.h"
+#include "panels/level_sharing.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_mouse.h"
@@ -84,6 +85,7 @@ void Gui::open(const std::filesystem::path& path) {
   try {
     openLevel(*editor_, path);
     rememberLevel(ui_, path);
+    askForMissingMesh(*editor_, ui_);
   } catch (const Error& error) {
     if (editor_->session.generation() == 0) throw;
     ui_.notice = Notice{"The level could not be opened", error.what()};

@@ -1,9 +1,7 @@
 #include "app/window.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -175,8 +173,6 @@ class MainWindow {
     keepPreferences();
   }
 
-  const Preferences& preferences() { return gui_->ui().preferences; }
-
  private:
   // Nothing is drawn, but what is not saved has to be kept.
   void waitUnseen() {
@@ -202,6 +198,7 @@ class MainWindow {
     }
     if (now - lastEvent_ < livelySeconds) return glfwWaitEventsTimeout(livelyStep);
     if (const auto due = files_->secondsUntilDue(now)) return glfwWaitEventsTimeout(*due + 0.01);
+    stateLog_.addRest(*gui_);
     glfwWaitEvents();
   }
 
@@ -211,14 +208,16 @@ class MainWindow {
     float scaleX = 1, scaleY = 1;
     glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
     gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, limits::uiScale.min, limits::uiScale.max));
+    const InputCounts seen = received_;
     ImGui_ImplGlfw_NewFrame();
     gui_->frame(seconds);
     for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {
       ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
+      ++received_.keysUp;
     }
     glfwSwapBuffers(handle_.get());
     files_->update(now);
-    stateLog_.add(*gui_);
+    stateLog_.add(*gui_, seen);
     serveRequests();
     showTitle();
   }
@@ -316,6 +315,11 @@ class MainWindow {
     framesOwed_ = 3;  // Dear ImGui lays out in two
   }
 
+  void receive(std::size_t InputCounts::*kind) {
+    ++(received_.*kind);
+    wakeUp();
+  }
+
   static MainWindow& of(GLFWwindow* window) {
     return *static_cast<MainWindow*>(glfwGetWindowUserPointer(window));
   }
@@ -328,6 +332,8 @@ class MainWindow {
       self.wakeUp();
       if (action == GLFW_PRESS) self.keyTaps_.press(key);
       if (action == GLFW_RELEASE && self.keyTaps_.waits({key, code, modifiers})) return;
+      if (action != GLFW_REPEAT)
+        self.receive(action == GLFW_PRESS ? &InputCounts::keysDown : &InputCounts::keysUp);
       ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.gui_->key(keyByItsCap(key, code),
@@ -337,17 +343,18 @@ class MainWindow {
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
       ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
-      of(w).wakeUp();
+      of(w).receive(action == GLFW_PRESS ? &InputCounts::buttonsDown : &InputCounts::buttonsUp);
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
       ImGui_ImplGlfw_ScrollCallback(w, x, y);
-      of(w).wakeUp();
+      of(w).receive(&InputCounts::wheel);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) {
       ImGui_ImplGlfw_CharCallback(w, c);
-      of(w).wakeUp();
+      of(w).receive(&InputCounts::characters);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).wakeUp(); });
+    glfwSetCursorPosCallback(window,
+                             [](GLFWwindow* w, double, double) { of(w).receive(&InputCounts::motions); });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
       ImGui_ImplGlfw_CursorEnterCallback(w, entered);
       of(w).wakeUp();
@@ -381,6 +388,7 @@ class MainWindow {
   int framesOwed_ = 3;
   std::optional<ShotRequest> saidShot_;  // that is taken after the next frame
   KeyTaps keyTaps_;
+  InputCounts received_;
 };
 
 }  // namespace

@@ -81,8 +81,12 @@ void LiveUpdater::openLevel(const Session& session) {
   results_ = std::make_shared<Mailbox<Evaluated>>();
   requested_.reset();
   cancelled_ = false;
+  forget(session.level());
+}
+
+void LiveUpdater::forget(const Level& level) {
   result_ = {};
-  result_.level = session.level();
+  result_.level = level;
   of_ = {};
   liveOriginal_.reset();
   liveShape_.reset();
@@ -121,8 +125,9 @@ bool LiveUpdater::takeResults(const Session& session) {
     }
   }
   if (const auto failure = worker_.takeFailure()) {
+    if (!(of_.shape == session.level().original.shape))
+      forget(session.level());  // what is shown is another's
     result_.problem = *failure;
-    result_.refined = false;
     result_.complete = true;
     changed = true;
   }

@@ -78,6 +78,7 @@ class LiveUpdater {
   using Clock = std::chrono::steady_clock;
 
   void openLevel(const Session& session);
+  void forget(const Level& level);
   bool takeResults(const Session& session);
   void take(LevelResult evaluated);
   void noteSculpture();

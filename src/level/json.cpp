@@ -160,9 +160,24 @@ bool holdsObject(const JsonValue& value) {
                      [](const JsonValue& item) { return item.kind == Kind::object || holdsObject(item); });
 }
 
-void appendCompact(std::string& out, const JsonValue& value) {
+using Quote = std::string (*)(std::string_view);
+
+// In ASCII; no blank and no > stays as it is.
+std::string quotePlain(std::string_view text) {
+  std::string quoted;
+  for (const char c : nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)) {
+    if (c == ' ' || c == '>') {
+      quoted += c == ' ' ? "\\u0020" : "\\u003e";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted;
+}
+
+void appendCompact(std::string& out, const JsonValue& value, Quote quote) {
   if (value.kind == Kind::string) {
-    out += quoteJson(value.text);
+    out += quote(value.text);
   } else if (value.kind != Kind::array && value.kind != Kind::object) {
     out += value.kind == Kind::null ? "null" : value.text;
   } else {
@@ -170,8 +185,8 @@ void appendCompact(std::string& out, const JsonValue& value) {
     out += isObject ? '{' : '[';
     for (std::size_t i = 0; i < value.items.size(); ++i) {
       if (i > 0) out += ", ";
-      if (isObject) out += quoteJson(value.keys[i]) + ": ";
-      appendCompact(out, value.items[i]);
+      if (isObject) out += quote(value.keys[i]) + ": ";
+      appendCompact(out, value.items[i], quote);
     }
     out += isObject ? '}' : ']';
   }
@@ -220,7 +235,13 @@ std::string formatJson(const JsonValue& value) {
 
 std::string compactJson(const JsonValue& value) {
   std::string out;
-  appendCompact(out, value);
+  appendCompact(out, value, quoteJson);
+  return out;
+}
+
+std::string plainJson(const JsonValue& value) {
+  std::string out;
+  appendCompact(out, value, quotePlain);
   return out;
 }
 

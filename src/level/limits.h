@@ -58,6 +58,7 @@ constexpr Range knotTurns{1, 32};  ///< p and q
 constexpr Range tubeRadius{0.01, 1};
 constexpr Limit letterSegments{{1, 256}, {1, 64}};
 constexpr Limit pawnSegments{{3, 2048}, {3, 256}};
+constexpr std::size_t mostInsideBytes = 200'000;  ///< of a mesh that is inside a level
 
 // ---- The sculpture
 

@@ -2,6 +2,7 @@
 
 #include "panels/browser_view.h"
 #include "panels/file_flow.h"
+#include "panels/level_sharing.h"
 
 namespace anamorph {
 namespace {
@@ -24,6 +25,11 @@ constexpr Dialog dialogs[] = {
     {"unsaved", [](const UiState& ui) { return ui.unsaved.has_value(); },
      [](Editor& editor, UiState& ui) {
        if (drawUnsavedDialog(editor, ui.unsaved, ui.dialogKeys, ui)) saveCurrent(editor, ui);
+     }},
+    {"mesh", [](const UiState& ui) { return ui.meshQuestion.has_value(); },
+     [](Editor& editor, UiState& ui) {
+       if (const auto answer = drawMeshDialog(*ui.meshQuestion, ui.dialogKeys, ui))
+         answerMeshQuestion(*answer, editor, ui);
      }},
     {"recovery", [](const UiState& ui) { return !ui.recovery.entries.empty(); },
      [](Editor&, UiState& ui) {

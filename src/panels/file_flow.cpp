@@ -17,6 +17,8 @@
 #include "level/level_json.h"
 #include "panels/browser_places.h"
 #include "panels/file_browser.h"
+#include "panels/let_go.h"
+#include "panels/level_sharing.h"
 #include "panels/view_mouse.h"
 #include "panels/widgets.h"
 #include "pipeline/original.h"
@@ -25,13 +27,6 @@ namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A drag that goes on, or a number that is typed, becomes a step of its own first.
-void finishEdits(Editor& editor, UiState& ui) {
-  endViewDrag(editor, ui.mouse, true);
-  letGoOfWidgets();
-  editor.session.finishChange();
-}
 
 // "My first column!" -> "my-first-column"
 std::string fileNameOf(const std::string& title) {
@@ -72,6 +67,7 @@ void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
 void serveBrowser(Editor& editor, UiState& ui) {
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::findMesh)) giveMesh(*path, editor, ui);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
 }
 
@@ -140,6 +136,7 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
       [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
         const auto [read, warnings] = loadMesh(mesh);
         Box room = box;
+        if (room.empty() && findMissingMesh(level, levelPath)) room = roomInSight(level);
         if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
           const auto own = loadOriginal(level.original.shape, levelPath).mesh;
           room =
@@ -161,7 +158,7 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isModelFile(file)) return importOriginal(editor, file);
+    if (isModelFile(file)) return ui.meshQuestion ? giveMesh(file, editor, ui) : importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
@@ -172,25 +169,6 @@ void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui
       Notice{"This cannot be used here", trFormat("{}: expected a mesh (.obj, .stl, .ply), which takes the "
                                                   "original's place, or a level (.json), which is opened.",
                                                   files.front().filename().string())};
-}
-
-void copyLevel(Editor& editor) {
-  if (!ImGui::GetCurrentContext()) return;
-  ImGui::SetClipboardText(levelAsText(editor.session.level(), editor.session.path()).c_str());
-  editor.message = tr("The level is on the clipboard, as text.");
-}
-
-void pasteLevel(Editor& editor, UiState& ui) {
-  if (!ImGui::GetCurrentContext()) return;
-  const char* text = ImGui::GetClipboardText();
-  try {
-    Level level = levelFromText(text ? text : "", editor.session.path());
-    finishEdits(editor, ui);
-    editor.session.edit(std::move(level));
-    editor.message = tr("The level has been pasted; Ctrl+Z takes it back.");
-  } catch (const Error& error) {
-    ui.notice = Notice{"There is no level on the clipboard", error.what()};
-  }
 }
 
 void rememberLevel(UiState& ui, const fs::path& path) {

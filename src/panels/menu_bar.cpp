@@ -57,7 +57,9 @@ void fileMenu(Editor& editor, UiState& ui) {
 }
 
 void editMenu(Editor& editor, UiState& ui) {
-  items({Action::undo, Action::redo, Action::resetLevel, Action::copyLevel, Action::pasteLevel}, editor, ui);
+  items({Action::undo, Action::redo, Action::resetLevel, Action::copyLevel, Action::copyLevelWithMesh,
+         Action::pasteLevel},
+        editor, ui);
   ImGui::Separator();
   items({Action::moveMode, Action::rotateMode, Action::scaleMode, Action::toggleLocal}, editor, ui);
 }

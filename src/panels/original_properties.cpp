@@ -48,7 +48,7 @@ struct ShapeRows {
     return changed;
   }
   bool operator()(FileShape& file) const {
-    textRow("File", file.path);
+    textRow(file.obj->empty() ? "File" : "Inside the level", file.path);
     return false;
   }
 };

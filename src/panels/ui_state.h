@@ -19,6 +19,7 @@
 #include "panels/lesson_scroll.h"
 #include "panels/long_text.h"
 #include "panels/look.h"
+#include "panels/mesh_dialog.h"
 #include "panels/notice_dialog.h"
 #include "panels/preferences.h"
 #include "panels/progress_window.h"
@@ -53,6 +54,7 @@ struct UiState : Look {
   std::optional<Notice> notice;
   FileBrowser browser;
   std::optional<UnsavedQuestion> unsaved;
+  std::optional<MeshQuestion> meshQuestion;
   RecoveryDialog recovery;
   DialogKeys dialogKeys;                            ///< since the last frame
   std::vector<std::filesystem::path> recentLevels;  ///< newest first; kept between runs

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -10,6 +11,7 @@
 #include "edit/level_repairs.h"
 #include "panels/help_buttons.h"
 #include "panels/highlight.h"
+#include "panels/level_sharing.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 #include "raytrace/ray_looks.h"
@@ -58,7 +60,7 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void repairButtons(Editor& editor, UiState& ui) {
+void sceneRepairs(Editor& editor, UiState& ui) {
   const Level& level = editor.session.level();
   const Box box = originalBox(editor);
   const Level outside = eyeMovedOutside(level, box);
@@ -74,6 +76,15 @@ void repairButtons(Editor& editor, UiState& ui) {
       if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
       ImGui::SameLine();
     }
+  }
+}
+
+void repairButtons(Editor& editor, UiState& ui) {
+  const bool isRead = editor.updater.result().shape != nullptr;
+  if (isRead) sceneRepairs(editor, ui);
+  if (!isRead && std::holds_alternative<FileShape>(editor.session.level().original.shape)) {
+    if (ImGui::Button(tr("Look for the mesh..."))) askForMesh(editor, ui);
+    ImGui::SameLine();
   }
   if (editor.session.canUndo()) {
     if (ImGui::Button(tr("Undo"))) editor.session.undo();

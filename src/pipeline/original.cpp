@@ -23,10 +23,14 @@ struct ShapeMaker {
   LoadedMesh operator()(const LetterFShape& s) const { return {makeLetterF(s.height, s.segments), {}}; }
   LoadedMesh operator()(const PawnShape& s) const { return {makePawn(s.height, s.segments), {}}; }
   LoadedMesh operator()(const FileShape& s) const {
+    const bool isInside = !s.obj->empty();
     try {
-      return loadMesh(modelPath(s, levelPath), limits);
+      if (!isInside) return loadMesh(modelPath(s, levelPath), limits);
+      const auto name = std::filesystem::path(s.path).filename().replace_extension(".obj");
+      return readMesh(*s.obj, name.string(), limits);
     } catch (const Error& error) {
-      throw Error(error.what(), levelPath.string(), "/original/shape/path");
+      throw Error(error.what(), levelPath.string(),
+                  isInside ? "/original/shape/obj" : "/original/shape/path");
     }
   }
 };

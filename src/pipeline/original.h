@@ -17,7 +17,7 @@ struct LoadedOriginal {
   std::vector<std::string> warnings;  ///< about its file, as loadMesh has them
 };
 
-/// The level's own original, before it is placed: a built-in shape, or a mesh file beside the level. Throws
+/// The level's own original, before it is placed: a built-in shape, a mesh file beside the level, or a mesh inside it. Throws
 /// Error.
 LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
                             const MeshLimits& limits = {});

@@ -14,12 +14,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/program.h"
-#include "edit/level_files.h"
 #include "edit/session.h"
 #include "error_text.h"
 #include "level/level_json.h"
 #include "level/random_level.h"
-#include "pipeline/original.h"
 #include "shapes.h"
 
 namespace anamorph {
@@ -27,9 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace testing;
-
-const fs::path levels = ANAMORPH_LEVELS;
-const fs::path meshes = fs::path(ANAMORPH_TEST_DATA) / "meshes";
 
 Level numbered(int number) {
   Level level;
@@ -120,98 +115,6 @@ TEST(SessionFiles, ASavedSceneOfTheThesisIsALevel) {
   session.saveTo(folder / "level.json");
   EXPECT_FALSE(session.isThesisScene());
   EXPECT_FALSE(loadLevel(folder / "level.json").isThesisScene);
-}
-
-// The mesh beside the level, in one folder; the level then goes to others.
-class MovedLevel : public ::testing::Test {
- protected:
-  MovedLevel() {
-    fs::create_directories(folder / "a/meshes");
-    fs::create_directories(folder / "b");
-    fs::copy_file(meshes / "cube.obj", folder / "a/meshes/cube.obj");
-    Level level;
-    level.original.shape = FileShape{"meshes/cube.obj"};
-    saveLevel(folder / "a/level.json", level);
-    session.open(folder / "a/level.json");
-  }
-  const std::string& meshPath() const { return std::get<FileShape>(session.level().original.shape).path; }
-  bool findsMesh() const {
-    return loadOriginal(session.level().original.shape, session.path()).mesh->positions.size() == 8;
-  }
-
-  TemporaryFolder folder;
-  Session session;
-};
-
-TEST_F(MovedLevel, FindsItsMeshFromAnotherFolder) {
-  Level changed = session.level();
-  changed.sculpture.depthScale = 2;
-  session.edit(changed);
-  session.saveTo(folder / "b/level.json");
-  EXPECT_TRUE(fs::path(meshPath()).is_absolute());
-  EXPECT_TRUE(findsMesh());
-  session.undo();
-  EXPECT_TRUE(findsMesh()) << "the steps before the saving are of the new folder, too";
-  session.redo();
-  session.saveTo(folder / "a/other.json");
-  EXPECT_EQ(meshPath(), "meshes/cube.obj") << "relative again where it lies below the level";
-  EXPECT_TRUE(findsMesh());
-  EXPECT_FALSE(session.modified());
-}
-
-TEST_F(MovedLevel, KeepsItsWordsInTheSameFolder) {
-  Level level = session.level();
-  level.original.shape = FileShape{"../a/meshes/cube.obj"};
-  session.edit(level);
-  session.saveTo(folder / "a/again.json");
-  EXPECT_EQ(meshPath(), "../a/meshes/cube.obj");
-}
-
-TEST_F(MovedLevel, FollowsLinksOfFolders) {
-  fs::create_directories(folder / "far/away");
-  fs::create_directory_symlink(folder / "far/away", folder / "link");
-  fs::copy_file(meshes / "cube.obj", folder / "far/cube.obj");
-  Level level = session.level();
-  saveLevel(folder / "link/level.json", level);
-  session.open(folder / "link/level.json");
-  level.original.shape = FileShape{"../cube.obj"};  // of far/away, not beside the link
-  session.edit(level);
-  ASSERT_TRUE(findsMesh());
-  session.saveTo(folder / "b/level.json");
-  EXPECT_TRUE(findsMesh()) << meshPath();
-}
-
-TEST_F(MovedLevel, AsTextIsFoundFromEverywhere) {
-  const std::string text = levelAsText(session.level(), session.path());
-  EXPECT_EQ(text.find('\n'), std::string::npos);
-  Session other;
-  other.startNew(levelFromText(text, {}));
-  EXPECT_EQ(loadOriginal(other.level().original.shape, {}).mesh->positions.size(), 8u);
-  EXPECT_EQ(levelFromText(text, session.path()), session.level());
-}
-
-TEST(LevelText, BadTextsAreClearMessages) {
-  for (const char* text : {"", " \n", "Hello", "{", "[1]", "{\"format\": \"anamorph-level\"}",
-                           "{\"Eye\": [0, 0, 0], \"Objects\": []}"}) {
-    const std::string message = errorOf([&] { levelFromText(text, {}); });
-    EXPECT_EQ(message.find("the text on the clipboard"), 0u) << text << ": " << message;
-  }
-}
-
-TEST(LevelText, RandomLevelsComeBack) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Level level = RandomLevel(seed).make();
-    if (auto* file = std::get_if<FileShape>(&level.original.shape)) file->path = "/x" + std::to_string(seed);
-    EXPECT_EQ(levelFromText(levelAsText(level, "/somewhere/level.json"), "/else/where.json"), level);
-  }
-}
-
-TEST(InstalledLevels, AreKnownHoweverTheirPathIsWritten) {
-  EXPECT_TRUE(isInstalledLevel(levels / "1-plane.json"));
-  EXPECT_TRUE(isInstalledLevel(levels / ".." / "levels" / "new.json"));
-  EXPECT_FALSE(isInstalledLevel("/tmp/1-plane.json"));
-  EXPECT_FALSE(isInstalledLevel({}));
 }
 
 TEST(Recovery, IsOneStepFromWhatIsSaved) {

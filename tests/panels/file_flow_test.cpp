@@ -362,27 +362,6 @@ TEST_F(FileFlow, ASceneOfTheThesisKeepsTheMeshsSize) {
   EXPECT_EQ(editor.session.level().original.placement, before.original.placement);
 }
 
-TEST_F(FileFlow, LevelsAreCopiedAndPasted) {
-  modify(3);
-  const Level copied = editor.session.level();
-  act(Action::copyLevel);
-  editor.session.undo();
-  act(Action::pasteLevel);
-  EXPECT_EQ(editor.session.level(), copied);
-  editor.session.undo();
-  EXPECT_FALSE(editor.session.modified()) << "one step";
-}
-
-TEST_F(FileFlow, ATextThatIsNoLevelIsTold) {
-  const Level before = editor.session.level();
-  ImGui::SetClipboardText("{\"format\": \"anamorph-level\", \"version\": 1, \"camera\": 3}");
-  act(Action::pasteLevel);
-  ASSERT_TRUE(ui.notice);
-  EXPECT_NE(ui.notice->text.find("clipboard"), std::string::npos);
-  EXPECT_EQ(editor.session.level(), before);
-  EXPECT_FALSE(editor.session.canUndo());
-}
-
 TEST_F(FileFlow, RecentLevelsAreThoseOfOnesOwnNewestFirst) {
   for (const char* name : {"mine.json", "other.json", "mine.json"}) {
     ui.requests.open = folder_ / name;
