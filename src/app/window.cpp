@@ -19,6 +19,7 @@
 #include "app/key_taps.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
+#include "app/quit.h"
 #include "app/shot.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
@@ -139,7 +140,7 @@ class MainWindow {
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
-    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_);
+    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_, glfwPostEmptyEvent);
     std::string broken;
     savedProgress_ = loadProgress(progressPath(), broken);
     gui_->editor().progress = savedProgress_;
@@ -170,10 +171,18 @@ class MainWindow {
       }
       drawFrame();
     }
-    keepPreferences();
+    quit();
   }
 
  private:
+  // All that was to be kept is, or is told of; whatever else still runs must not keep anybody waiting.
+  void quit() {
+    glfwHideWindow(handle_.get());
+    keepPreferences();
+    endProgramIn(0.4);
+    reportUnwritten(gui_->unwritten(0.2));
+  }
+
   // Nothing is drawn, but what is not saved has to be kept.
   void waitUnseen() {
     const double now = glfwGetTime();

@@ -8,8 +8,8 @@
 
 namespace anamorph {
 
-/// "a, b or c"
-std::string alternatives(const std::vector<std::string>& texts);
+/// "a, b or c"; `word`: the "or" of the language.
+std::string alternatives(const std::vector<std::string>& texts, const std::string& word = "or");
 
 /// The text, and what else there is to say of it: "text; a; b"
 std::string withRemarks(std::string text, const std::vector<std::string>& remarks);

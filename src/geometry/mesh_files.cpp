@@ -129,9 +129,9 @@ LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshL
   return loaded;
 }
 
-LoadedMesh loadMesh(const fs::path& path, const MeshLimits& limits) {
+LoadedMesh loadMesh(const fs::path& path, const MeshLimits& limits, const CancelToken* token) {
   checkIsMesh(path);
-  const FileBytes bytes = readFile(path, limits.maxBytes, "--max-mesh-mb raises the limit");
+  const FileBytes bytes = readFile(path, limits.maxBytes, MeshLimits::bytesHelp, token);
   return readMesh(bytes.view(), path.string(), limits);
 }
 

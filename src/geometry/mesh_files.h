@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
 
@@ -25,8 +26,9 @@ struct LoadedMesh {
 /// texture coordinates, normals and materials skipped. Vertices keep the file's order, but those that no face uses
 /// are left out; those of an STL file, which has no indices, are welded. At least one triangle, all coordinates finite
 /// and of magnitude <= 1e9. Throws Error `file: where: expected, got` when no triangle is left, when the file is cut
-/// off, and when it is larger than the limits.
-LoadedMesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits = {});
+/// off, and when it is larger than the limits; Cancelled as readFile does.
+LoadedMesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits = {},
+                    const CancelToken* token = nullptr);
 
 /// The same from a file's bytes; `name` is the file's name, with which messages begin.
 LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits = {});

@@ -37,6 +37,17 @@ void progress(Editor& editor, const UiState& ui) {
   if (ImGui::SmallButton(tr("Cancel"))) editor.updater.cancel();
 }
 
+// A level that is being read.
+void openingProgress(Editor& editor, const UiState& ui) {
+  ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
+  const std::string file = editor.opening.path().filename().string();
+  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("Reading {}")), file).c_str());
+  ImGui::SameLine();
+  ImGui::PushID("opening");
+  if (ImGui::SmallButton(tr("Cancel"))) editor.opening.cancel();
+  ImGui::PopID();
+}
+
 // An edit that is made in the background.
 void jobProgress(Editor& editor, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
@@ -64,6 +75,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
+  if (editor.opening.busy()) openingProgress(editor, ui);
   const std::string message = !editor.message.empty()           ? editor.message
                               : !result.warnings.empty()      ? result.warnings.front()
                               : !result.shapeWarnings.empty() ? result.shapeWarnings.front()

@@ -14,6 +14,7 @@ namespace {
 struct ShapeMaker {
   const std::filesystem::path& levelPath;
   const MeshLimits& limits;
+  const CancelToken* token;
 
   LoadedMesh operator()(const BoxShape& s) const { return {makeBox(s.size, s.segments), {}}; }
   LoadedMesh operator()(const SphereShape& s) const { return {makeSphere(s.radius, s.segments), {}}; }
@@ -25,7 +26,7 @@ struct ShapeMaker {
   LoadedMesh operator()(const FileShape& s) const {
     const bool isInside = !s.obj->empty();
     try {
-      if (!isInside) return loadMesh(modelPath(s, levelPath), limits);
+      if (!isInside) return loadMesh(modelPath(s, levelPath), limits, token);
       const auto name = std::filesystem::path(s.path).filename().replace_extension(".obj");
       return readMesh(*s.obj, name.string(), limits);
     } catch (const Error& error) {
@@ -38,8 +39,8 @@ struct ShapeMaker {
 }  // namespace
 
 LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                            const MeshLimits& limits) {
-  LoadedMesh loaded = std::visit(ShapeMaker{levelPath, limits}, shape);
+                            const MeshLimits& limits, const CancelToken* token) {
+  LoadedMesh loaded = std::visit(ShapeMaker{levelPath, limits, token}, shape);
   return {std::make_shared<const Mesh>(std::move(loaded.mesh)), std::move(loaded.warnings)};
 }
 
