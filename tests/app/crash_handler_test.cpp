@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 using namespace anamorph::testing;
 
 // noinline, and with work after the call, so that it is not made a loop.
-[[gnu::noinline]] int useUpStack(int depth) {
+[[gnu::noinline]] int useUpStack(long bytes) {
   volatile char room[4096];
-  room[0] = static_cast<char>(depth);
-  return useUpStack(depth + 1) + room[0];
+  room[0] = static_cast<char>(bytes);
+  return bytes < 0 ? 0 : useUpStack(bytes - 4096) + room[0];
 }
 
 void raiseAs(int signal) {
-  if (signal == SIGSEGV) std::exit(useUpStack(0));
+  if (signal == SIGSEGV) std::exit(useUpStack(1L << 40));
   if (signal == SIGABRT) std::abort();
   ::raise(signal);
 }
