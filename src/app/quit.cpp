@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include <fmt/format.h>
+#include "cli/print.h"
 
 namespace anamorph {
 
