@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "anamorphosis/contour.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/report.h"
@@ -16,6 +17,10 @@ struct MatchOptions {
 
 void printReport(const MatchReport& report, const StatusCounts& counts) {
   fmt::print("match               {}\n", matchGradeName(gradeOf(report)));
+  if (const auto problem = findMatchProblem(report)) fmt::print("                    {}\n", *problem);
+  fmt::print("outline             {}\n", report.contourPx < farthestContour
+                                             ? fmt::format("{:.2f} px", report.contourPx)
+                                             : fmt::format("{:g} px or more", farthestContour));
   fmt::print("silhouette IoU      {:.5f}\n", report.silhouetteIou);
   if (report.comparedPixels > 0) {
     fmt::print("correspondence      mean {:.3f} px, p99 {:.3f} px, max {:.3f} px\n", report.meanPx,
@@ -26,6 +31,7 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
   fmt::print("triangle agreement  {:.5f}\n", report.triangleAgreement);
   fmt::print("hidden share        {:.5f}\n", report.hiddenShare);
   fmt::print("missed share        {:.5f}\n", report.missedShare);
+  fmt::print("extra share         {:.5f}\n", report.extraShare);
   fmt::print("status              {}\n", statusSentence(counts));
 }
 

@@ -53,7 +53,7 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void repairButtons(Editor& editor, UiState& ui) {
+void repairButtons(Editor& editor) {
   const Level& level = editor.session.level();
   const Box box = originalBox(editor);
   const Level outside = eyeMovedOutside(level, box);
@@ -63,7 +63,7 @@ void repairButtons(Editor& editor, UiState& ui) {
   } else if (!findProblem(level.optic)) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
-      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);
+      if (ImGui::Button(tr("Fit to the mirror"))) startFit(editor);
       ImGui::SameLine();
     } else if (!(behind == level)) {
       if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
@@ -121,7 +121,7 @@ void drawProblem(Editor& editor, UiState& ui) {
       std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
   ImGui::TextUnformatted(capitalised(*problem).c_str());
   ImGui::PopTextWrapPos();
-  repairButtons(editor, ui);
+  repairButtons(editor);
   ImGui::End();
 }
 
