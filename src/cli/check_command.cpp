@@ -45,6 +45,7 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
   for (const std::string& warning : finished.warnings)
     sayMessage(common, "warning: " + path + ": " + warning);
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
+  if (const auto problem = findMatchProblem(report)) sayMessage(common, "warning: " + path + ": " + *problem);
   return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
                      shapeName(level.optic.shape()), surfaceName(level.optic), sculpture.originalStatus[0],
                      original->positions.size(), matchGradeName(gradeOf(report)));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "anamorphosis/contour.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/print.h"
@@ -20,6 +21,9 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
     printLine(stdout, fmt::format("{:<19} {}", name, value));
   };
   line("match", matchGradeName(gradeOf(report)));
+  if (const auto problem = findMatchProblem(report)) line("", *problem);
+  line("outline", report.contourPx < farthestContour ? fmt::format("{:.2f} px", report.contourPx)
+                                                     : fmt::format("{:g} px or more", farthestContour));
   line("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou));
   line("correspondence", report.comparedPixels > 0
                              ? fmt::format("mean {:.3f} px, p99 {:.3f} px, max {:.3f} px", report.meanPx,
@@ -28,6 +32,7 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
   line("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement));
   line("hidden share", fmt::format("{:.5f}", report.hiddenShare));
   line("missed share", fmt::format("{:.5f}", report.missedShare));
+  line("extra share", fmt::format("{:.5f}", report.extraShare));
   line("status", statusSentence(counts));
 }
 

@@ -97,10 +97,10 @@ Level withMeshInside(Level level, const Mesh& mesh) {
   auto& file = std::get<FileShape>(level.original.shape);
   std::string obj = formatObj(mesh);
   if (obj.size() > limits::mostInsideBytes) {
-    throw Error(fmt::format(
-        fmt::runtime(tr("{} has {} kB as text, and at most {} kB can be inside a level. Copy the "
-                        "level without it, and send its file, too.")),
-        fs::path(file.path).filename().string(), obj.size() / 1000, limits::mostInsideBytes / 1000));
+    throw Error(
+        trFormat("{} has {} kB as text, and at most {} kB can be inside a level. Copy the "
+                 "level without it, and send its file, too.",
+                 fs::path(file.path).filename().string(), obj.size() / 1000, limits::mostInsideBytes / 1000));
   }
   file.obj = std::move(obj);
   return level;

@@ -106,8 +106,8 @@ LiveUpdater::PictureSubject LiveUpdater::originalSubject() const {
 }
 LiveUpdater::MatchSubject LiveUpdater::matchSubject() const {
   const LevelScene& level = result_.level;
-  return {result_.original, result_.sculpture,  level.optic,
-          level.camera,     level.grid.columns, level.grid.rows};
+  return {result_.original,   result_.sculpture, level.optic, level.camera,
+          level.grid.columns, level.grid.rows,   level.ground};
 }
 
 // What is not current is a new start for the live step, which follows at once.

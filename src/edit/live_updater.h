@@ -107,6 +107,7 @@ class LiveUpdater {
     Optic optic;
     Camera camera;
     int columns, rows;
+    GroundSettings ground;
     bool operator==(const MatchSubject&) const = default;
   };
   struct SculptureSubject {

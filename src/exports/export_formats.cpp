@@ -83,8 +83,8 @@ std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
 }
 
 std::string wrongEnding(const std::filesystem::path& file, const std::vector<const char*>& endings) {
-  return fmt::format(fmt::runtime(tr("{}: expected an output file that ends in {}")), file.string(),
-                     alternatives({endings.begin(), endings.end()}, tr("or")));
+  return trFormat("{}: expected an output file that ends in {}", file.string(),
+                  alternatives({endings.begin(), endings.end()}, tr("or")));
 }
 
 std::string exportEndings(ExportKind kind) {

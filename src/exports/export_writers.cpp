@@ -93,7 +93,10 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
 std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress) {
   const auto [width, height] = pictureSize(finished.level.grid, request.size);
-  const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
+  std::shared_ptr<const Bvh> plate;
+  if (request.basePlate)
+    plate = plateInScene(makeArrangement(finished, request.millimetresPerUnit, request.basePlate));
+  const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4), plate);
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
   if (lowerEnding(request.path) == ".json") {

@@ -67,8 +67,7 @@ void chooseToSave(FileBrowser& b, fs::path path) {
   }
   if (findSameFile(path, b.kept)) {
     b.problem =
-        fmt::format(fmt::runtime(tr("{}: the open level is read from this file; choose another name")),
-                    path.filename().string());
+        trFormat("{}: the open level is read from this file; choose another name", path.filename().string());
     return;
   }
   std::error_code ignored;

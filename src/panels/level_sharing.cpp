@@ -24,11 +24,10 @@ void toClipboard(const Level& level, Editor& editor) {
   if (!ImGui::GetCurrentContext()) return;
   ImGui::SetClipboardText(levelAsText(level, editor.session.path()).c_str());
   const auto* mesh = std::get_if<FileShape>(&level.original.shape);
-  editor.message =
-      mesh && mesh->obj->empty()
-          ? fmt::format(fmt::runtime(tr("The level is on the clipboard, as text; it needs {}, too.")),
-                        fs::path(mesh->path).filename().string())
-          : tr("The level is on the clipboard, as text.");
+  editor.message = mesh && mesh->obj->empty()
+                       ? trFormat("The level is on the clipboard, as text; it needs {}, too.",
+                                  fs::path(mesh->path).filename().string())
+                       : tr("The level is on the clipboard, as text.");
 }
 
 std::string joined(const std::string& sentence, const std::string& next) {
@@ -44,7 +43,7 @@ std::string mendsText(const TextMends& mends) {
   add(mends.wordsAround, tr("words around it left out"));
   add(mends.quoting, tr("marks of quoting taken away"));
   add(mends.lineEnds, tr("broken lines joined"));
-  return what.empty() ? what : fmt::format(fmt::runtime(tr("Mended: {}.")), what);
+  return what.empty() ? what : trFormat("Mended: {}.", what);
 }
 
 const FileShape* fileOf(const Level& level) {
@@ -109,7 +108,7 @@ void giveMesh(const fs::path& mesh, Editor& editor, UiState& ui) {
   ui.meshQuestion.reset();
   level.original.shape = FileShape{meshNameFor(mesh, editor.session.path())};
   editor.session.edit(std::move(level));
-  editor.message = fmt::format(fmt::runtime(tr("The original is {}; Ctrl+Z takes it back.")), mesh.string());
+  editor.message = trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string());
 }
 
 void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui) {
@@ -120,8 +119,8 @@ void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui
   const MeshQuestion question = *std::exchange(ui.meshQuestion, std::nullopt);
   if (answer == Answer::cancel) return;
   editor.session.edit(withStandIn(question.level));
-  editor.message = fmt::format(fmt::runtime(tr("A pawn stands in for {}; Ctrl+Z takes it back.")),
-                               question.mesh.filename().string());
+  editor.message =
+      trFormat("A pawn stands in for {}; Ctrl+Z takes it back.", question.mesh.filename().string());
 }
 
 }  // namespace anamorph

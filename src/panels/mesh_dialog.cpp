@@ -12,9 +12,8 @@ namespace anamorph {
 std::optional<MeshQuestion::Answer> drawMeshDialog(const MeshQuestion& question, const DialogKeys& typed,
                                                    const Look& look) {
   if (!beginDialog(look, "Where is the mesh?", 480)) return std::nullopt;
-  paragraph(fmt::format(
-      fmt::runtime(tr("The original of this level is the mesh \"{}\", which cannot be read here:")),
-      question.mesh.filename().string()));
+  paragraph(trFormat("The original of this level is the mesh \"{}\", which cannot be read here:",
+                     question.mesh.filename().string()));
   quietText(look, question.mesh.c_str());
   quietText(look, "The stand-in is a pawn where the RT camera looks. Undo takes it back.");
   ImGui::Dummy({0, 6 * static_cast<float>(look.scale)});

@@ -108,7 +108,7 @@ void drawOriginalProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
     problemText(ui, missedText(editor.updater.result()));
-    fitButton(editor, ui);
+    fitButton(editor);
     behindButton(editor);
   }
   if (section(ui, "Shown as")) {

@@ -41,7 +41,7 @@ void progress(Editor& editor, const UiState& ui) {
 void openingProgress(Editor& editor, const UiState& ui) {
   ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
   const std::string file = editor.opening.path().filename().string();
-  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("Reading {}")), file).c_str());
+  ImGui::TextUnformatted(trFormat("Reading {}", file).c_str());
   ImGui::SameLine();
   ImGui::PushID("opening");
   if (ImGui::SmallButton(tr("Cancel"))) editor.opening.cancel();
@@ -76,7 +76,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
   if (editor.opening.busy()) openingProgress(editor, ui);
-  const std::string message = !editor.message.empty()           ? editor.message
+  const std::string message = !editor.message.empty()         ? editor.message
                               : !result.warnings.empty()      ? result.warnings.front()
                               : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
                                                               : std::string();

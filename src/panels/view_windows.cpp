@@ -60,7 +60,7 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void sceneRepairs(Editor& editor, UiState& ui) {
+void sceneRepairs(Editor& editor) {
   const Level& level = editor.session.level();
   const Box box = originalBox(editor);
   const Level outside = eyeMovedOutside(level, box);
@@ -70,7 +70,7 @@ void sceneRepairs(Editor& editor, UiState& ui) {
   } else if (!findProblem(level.optic)) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
-      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);
+      if (ImGui::Button(tr("Fit to the mirror"))) startFit(editor);
       ImGui::SameLine();
     } else if (!(behind == level)) {
       if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
@@ -81,7 +81,7 @@ void sceneRepairs(Editor& editor, UiState& ui) {
 
 void repairButtons(Editor& editor, UiState& ui) {
   const bool isRead = editor.updater.result().shape != nullptr;
-  if (isRead) sceneRepairs(editor, ui);
+  if (isRead) sceneRepairs(editor);
   if (!isRead && std::holds_alternative<FileShape>(editor.session.level().original.shape)) {
     if (ImGui::Button(tr("Look for the mesh..."))) askForMesh(editor, ui);
     ImGui::SameLine();

@@ -186,10 +186,29 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
   return {shared, prepare(mesh, &shared->original, threads)};
 }
 
+std::optional<std::string> findMatchProblem(const MatchReport& report) {
+  if (gradeOf(report) != MatchGrade::tooSmall) return std::nullopt;
+  if (report.originalPixels == 0) {
+    return tr(
+        "from this eye the original covers no pixel: turn the eye to it, or move one of them so that it "
+        "is not seen edge-on");
+  }
+  const char* sentence =
+      report.originalPixels == 1
+          ? tr("from this eye the original covers 1 pixel: come nearer or narrow the field of view")
+          : tr("from this eye the original covers {} pixels: come nearer or narrow the field of view");
+  return fmt::format(fmt::runtime(sentence), report.originalPixels);
+}
+
 MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height) {
-  return {original.mesh, original.bvh, sculpture.sculpture, sculpture.prepared.bvh, level.optic, level.camera,
-          width,         height};
+  MatchInput input{original.mesh,          original.bvh, sculpture.sculpture,
+                   sculpture.prepared.bvh, level.optic,  level.camera};
+  const SceneInput scene = makeReflectionScene(level, sculpture);
+  if (scene.ground) input.floor = floorOf(*scene.ground, measureScene(boxOf(scene)));
+  input.width = width;
+  input.height = height;
+  return input;
 }
 
 SceneInput makeReflectionScene(const LevelScene& level, const PreparedSculpture& sculpture) {
