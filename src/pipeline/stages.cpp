@@ -193,11 +193,10 @@ std::optional<std::string> findMatchProblem(const MatchReport& report) {
         "from this eye the original covers no pixel: turn the eye to it, or move one of them so that it "
         "is not seen edge-on");
   }
-  const char* sentence =
-      report.originalPixels == 1
-          ? tr("from this eye the original covers 1 pixel: come nearer or narrow the field of view")
-          : tr("from this eye the original covers {} pixels: come nearer or narrow the field of view");
-  return fmt::format(fmt::runtime(sentence), report.originalPixels);
+  if (report.originalPixels == 1)
+    return tr("from this eye the original covers 1 pixel: come nearer or narrow the field of view");
+  return trFormat("from this eye the original covers {} pixels: come nearer or narrow the field of view",
+                  report.originalPixels);
 }
 
 MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
