@@ -102,6 +102,14 @@ void benchFiles(Gui& gui, FrameRecorder& recorder, const fs::path& folder) {
     gui.ui().requests.startExport = true;
   });
   recorder.rest();
+  recorder.begin("picture of the window");
+  recorder.frame([&] { gui.ui().requests.shot = ShotRequest{1, true, false, folder / "window.png"}; });
+  recorder.rest();
+  recorder.frame([&] { gui.ui().requests.shot = ShotRequest{4, true, false, folder / "large.png"}; });
+  constexpr int someFrames = 40;
+  for (int i = 0; i < someFrames; ++i) recorder.frame();
+  recorder.frame([&] { gui.ui().requests.cancelShot = true; });
+  recorder.rest();
 }
 
 }  // namespace anamorph

@@ -36,7 +36,8 @@ void benchView(HeadlessGui& headless, FrameRecorder& recorder, int frames);
 /// Takes the last step back.
 void benchUndo(Gui& gui, FrameRecorder& recorder);
 
-/// To an installed level and back, saves the level into the folder, exports the sculpture there.
+/// To an installed level and back, saves the level into the folder, exports the sculpture and a picture of the window
+/// there, and begins another one that is four times as large.
 void benchFiles(Gui& gui, FrameRecorder& recorder, const std::filesystem::path& folder);
 
 }  // namespace anamorph

@@ -14,7 +14,7 @@ void ExportJob::update(Editor& editor, UiState& ui) {
   const LevelResult& result = editor.updater.result();
   if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
-  if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
+  if ((waiting_ || worker_.busy()) && std::exchange(ui.requests.cancelExport, false)) {
     cancelled_ = true;
     waiting_.reset();
     worker_.cancel();
@@ -41,8 +41,8 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     dialog.say(tr("Cancelled. Nothing was written."));
     cancelled_ = false;
   }
-  dialog.running = waiting_ || worker_.busy();
-  dialog.fraction = waiting_ ? 0 : worker_.fraction();
+  dialog.running = waiting_ || worker_.busy() || ui.shot.running;
+  dialog.fraction = waiting_ ? 0 : ui.shot.running ? ui.shot.fraction : worker_.fraction();
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {

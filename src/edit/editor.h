@@ -35,7 +35,8 @@ struct PreviewSettings {
 };
 
 struct Editor {
-  explicit Editor(std::function<void()> wake = {}, int threads = 0) : updater(wake, threads), job(wake) {}
+  explicit Editor(std::function<void()> wake = {}, int threads = 0)
+      : updater(wake, threads), job(wake), morph(wake) {}
 
   Session session;
   LiveUpdater updater;
