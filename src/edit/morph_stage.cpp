@@ -11,7 +11,10 @@ MorphStage::MorphStage(std::function<void()> wake) : worker_(std::move(wake)) {}
 PreparedSculpture MorphStage::at(double fraction, const LevelScene& level, const PreparedSculpture& sculpture,
                                  int threads) {
   busy_ = false;
-  if (fraction >= 1 || !sculpture.sculpture || sculpture.sculpture->mesh.triangles.empty()) return sculpture;
+  if (fraction >= 1 || !sculpture.sculpture || sculpture.sculpture->mesh.triangles.empty()) {
+    shown_.reset();  // it is large
+    return sculpture;
+  }
   Input input{fraction, makeVertexMap(level), sculpture};
   if (sculpture.sculpture->mesh.positions.size() > vertexLimit) return follow(std::move(input), threads);
   return memo_.get(std::move(input), [&](const Input& in) { return maker_.make(in, threads); });

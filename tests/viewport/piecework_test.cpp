@@ -11,6 +11,8 @@
 namespace anamorph {
 namespace {
 
+constexpr double plenty = 1e9;  // milliseconds, but not without hurry
+
 struct Log {
   std::vector<int> pieces;  // 100 times the job, and the piece
   int asked = 0, finished = 0;
@@ -57,7 +59,7 @@ TEST(Piecework, WithoutHurryAJobIsAskedForOnceAndNobodyWaits) {
 TEST(Piecework, QuickPiecesAreTakenTogether) {
   Log log;
   log.add(1, 1000);
-  while (!log.work.empty()) log.work.drawSome(1000);
+  while (!log.work.empty()) log.work.drawSome(plenty);
   EXPECT_EQ(log.pieces.size(), 1000u);
   EXPECT_LE(log.asked, 10) << "1, 2, 4, 8, ...";
 }
@@ -73,11 +75,24 @@ TEST(Piecework, TheNextJobIsMeasuredAnew) {
   Log log;
   log.add(1, 64);
   log.add(2, 2, 5);
-  while (log.pieces.size() < 64) log.work.drawSome(1000);
+  while (log.pieces.size() < 64) log.work.drawSome(plenty);
   const int asked = log.asked;
-  log.work.drawSome(1000);
+  log.work.drawSome(plenty);
   EXPECT_EQ(log.pieces.size(), 65u) << "one, though those before were quick";
   EXPECT_EQ(log.asked, asked + 1);
+}
+
+TEST(Piecework, TellsHowFarItIs) {
+  Log log;
+  EXPECT_EQ(log.work.fraction(), 0);
+  log.add(1, 3);
+  log.add(2, 1);
+  for (int i = 1; i <= 4; ++i) {
+    log.work.drawSome(0);
+    EXPECT_EQ(log.work.fraction(), i / 4.0);
+  }
+  log.add(3, 2);
+  EXPECT_EQ(log.work.fraction(), 0) << "of what is new";
 }
 
 TEST(Piecework, WhatIsForgottenIsNotDrawn) {
