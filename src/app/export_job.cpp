@@ -17,7 +17,7 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     writing_ = dialog.request.path;
   }
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
-  if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
+  if ((waiting_ || worker_.busy()) && std::exchange(ui.requests.cancelExport, false)) {
     cancelled_ = true;
     waiting_.reset();
     worker_.cancel();
@@ -44,9 +44,9 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     dialog.say(tr("Cancelled. Nothing was written."));
     cancelled_ = false;
   }
-  dialog.running = waiting_ || worker_.busy();
-  if (!dialog.running || cancelled_) writing_.reset();
-  dialog.fraction = waiting_ ? 0 : worker_.fraction();
+  dialog.running = waiting_ || worker_.busy() || ui.shot.running;
+  if (!(waiting_ || worker_.busy()) || cancelled_) writing_.reset();
+  dialog.fraction = waiting_ ? 0 : ui.shot.running ? ui.shot.fraction : worker_.fraction();
 }
 
 std::optional<std::filesystem::path> ExportJob::unwritten(double seconds) {

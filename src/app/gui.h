@@ -52,6 +52,11 @@ class Gui {
   /// bound a framebuffer of that size. Without `forced` quality it is chosen by how fast frames are.
   void frame(double seconds, const ViewQuality* forced = nullptr);
 
+  /// For a picture of the window: a frame that nobody sees, so that Dear ImGui lays itself out.
+  void layOut();
+  /// Likewise one whose panels are drawn, over nothing, without the 3D view. Returns what that would show.
+  ViewportInput drawWithoutView();
+
   /// Whether the next frame would differ without any input.
   bool unfinished() const;
   /// Whether a clock of the panels runs: the tour's, or that of what "show me" points at.
@@ -81,9 +86,10 @@ class Gui {
   void loadThumbnails();
   void serveRequests();
   void openWhenRead(double patienceSeconds);
+  void beginFrame(double seconds);
   void advanceAll(double seconds);
   void drawView(double seconds, const ViewQuality* forced);
-  void drawLists() const;
+  void drawLists(float alpha) const;
 
   ImGuiContext* context_;
   UiState ui_;

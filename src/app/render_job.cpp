@@ -19,11 +19,11 @@ bool RenderJob::update(const LevelResult& result, UiState& ui) {
     worker_.cancel();
     dialog.message = tr("Cancelled.");
   }
-  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && image_)
+  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && picture_)
     save(path->string());
   bool changed = false;
-  if (auto image = results_->take()) {
-    image_ = std::move(*image);
+  if (auto picture = results_->take()) {
+    picture_ = std::move(*picture);
     dialog.message.clear();
     changed = true;
   }
@@ -61,16 +61,15 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
         const auto finished = finishLevel(level, mesh, 0, {{}, progress.token});
         if (!finished) return;
         auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);
-        if (image) results->put(std::make_shared<const Image>(std::move(*image)));
+        if (image) results->put(std::make_shared<const Bitmap>(toBitmap(*image)));
       });
 }
 
 void RenderJob::save(const std::string& file) {
   saving_ = file;
-  worker_.request([file, image = image_, messages = messages_](const Progress&) {
-    const std::vector<std::string> lost = savePng(file, *image);
-    messages->put(withRemarks(
-        trFormat("{}: {} x {} pixels", file, image->width, image->height), lost));
+  worker_.request([file, picture = picture_, messages = messages_](const Progress&) {
+    const std::vector<std::string> lost = savePng(file, *picture);
+    messages->put(withRemarks(trFormat("{}: {} x {} pixels", file, picture->width, picture->height), lost));
   });
 }
 

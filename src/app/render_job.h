@@ -26,16 +26,16 @@ class RenderJob {
   std::optional<std::filesystem::path> unwritten(double seconds);
 
   /// The last finished picture; null before the first.
-  const std::shared_ptr<const Image>& image() const { return image_; }
+  const std::shared_ptr<const Bitmap>& picture() const { return picture_; }
 
  private:
   void start(const LevelResult& result, const RenderDialog& dialog);
   void save(const std::string& file);
 
-  std::shared_ptr<const Image> image_;
+  std::shared_ptr<const Bitmap> picture_;
   std::optional<std::filesystem::path> saving_;  // until its outcome is known
-  std::shared_ptr<Mailbox<std::shared_ptr<const Image>>> results_ =
-      std::make_shared<Mailbox<std::shared_ptr<const Image>>>();
+  std::shared_ptr<Mailbox<std::shared_ptr<const Bitmap>>> results_ =
+      std::make_shared<Mailbox<std::shared_ptr<const Bitmap>>>();
   std::shared_ptr<Mailbox<std::string>> messages_ = std::make_shared<Mailbox<std::string>>();
   Worker worker_;  // last: its jobs use the mailboxes
 };

@@ -20,12 +20,11 @@
 #include "app/preferences.h"
 #include "app/progress_file.h"
 #include "app/quit.h"
-#include "app/shot.h"
+#include "app/shot_job.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
 #include "app/window_files.h"
 #include "base/error.h"
-#include "base/folder.h"
 #include "base/language.h"
 #include "base/text.h"
 #include "cli/print.h"
@@ -35,7 +34,6 @@
 #include "level/limits.h"
 #include "panels/actions.h"
 #include "panels/file_flow.h"
-#include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
@@ -118,18 +116,6 @@ int keyByItsCap(int key, int code) {
   return name[0] - 'a' + 'A';
 }
 
-// Where F12 puts its pictures: beside the user's other pictures, never over an older one.
-std::filesystem::path freshScreenshotPath() {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  fs::path folder = homeFolder();
-  if (fs::is_directory(folder / "Pictures", ignored)) folder /= "Pictures";
-  for (int i = 1;; ++i) {
-    fs::path path = folder / fmt::format("anamorph-{:03}.png", i);
-    if (!fs::exists(path, ignored)) return path;
-  }
-}
-
 class MainWindow {
  public:
   MainWindow(const WindowOptions& options, Preferences preferences)
@@ -138,6 +124,7 @@ class MainWindow {
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
+    shotJob_ = std::make_unique<ShotJob>([] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
     files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_, glfwPostEmptyEvent);
@@ -153,6 +140,7 @@ class MainWindow {
   ~MainWindow() {
     ImGui_ImplGlfw_Shutdown();
     files_.reset();
+    shotJob_.reset();
     gui_.reset();  // while the context lives
   }
   MainWindow(const MainWindow&) = delete;
@@ -195,8 +183,8 @@ class MainWindow {
   void waitForWork() {
     const double now = glfwGetTime();
     if (gui_->unfinished()) {
-      const bool onlyWorker =
-          gui_->viewComplete() && !isMoving(gui_->editor()) && now - lastEvent_ > livelySeconds;
+      const bool onlyWorker = gui_->viewComplete() && !gui_->ui().shot.running && !isMoving(gui_->editor()) &&
+                              now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);
     }
@@ -225,6 +213,7 @@ class MainWindow {
       ++received_.keysUp;
     }
     glfwSwapBuffers(handle_.get());
+    shotJob_->update(*gui_);
     files_->update(now);
     stateLog_.add(*gui_, seen);
     serveRequests();
@@ -235,10 +224,6 @@ class MainWindow {
     UiRequests& requests = gui_->ui().requests;
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
-    // A large picture takes a while in which nothing else is drawn, so first it is said.
-    if (const auto shot = std::exchange(saidShot_, std::nullopt)) takePicture(*shot);
-    saidShot_ = std::exchange(requests.shot, std::nullopt);
-    if (saidShot_) say(tr("The picture is being drawn..."));
     keepProgress();
     if (!(gui_->ui().preferences == saved_) && !ImGui::IsAnyMouseDown()) keepPreferences();
   }
@@ -274,28 +259,6 @@ class MainWindow {
       tell(savePreferences(preferencesPath(), saved_));
     } catch (const Error& error) {
       gui_->editor().message = error.what();
-    }
-  }
-
-  // In the window that asked, or in the status line.
-  void say(const std::string& text) {
-    ExportDialog& dialog = gui_->ui().exporting;
-    if (dialog.open) {
-      dialog.say(text);
-    } else {
-      gui_->editor().message = text;
-    }
-    wakeUp();
-  }
-
-  void takePicture(const ShotRequest& request) {
-    try {
-      const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
-      const std::vector<std::string> lost = savePng(path, takeShot(*gui_, request));
-      say(withRemarks(trFormat("Written: {}", path.string()), lost));
-      if (!request.path.empty()) ++gui_->editor().exported;
-    } catch (const Error& error) {
-      say(error.what());
     }
   }
 
@@ -390,12 +353,12 @@ class MainWindow {
   Preferences saved_;
   LessonProgress savedProgress_;
   std::unique_ptr<Gui> gui_;
+  std::unique_ptr<ShotJob> shotJob_;
   std::unique_ptr<WindowFiles> files_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
   double lastFrame_ = 0, lastEvent_ = 0;
   int framesOwed_ = 3;
-  std::optional<ShotRequest> saidShot_;  // that is taken after the next frame
   KeyTaps keyTaps_;
   InputCounts received_;
 };

@@ -37,7 +37,7 @@ struct PreviewSettings {
 
 struct Editor {
   explicit Editor(std::function<void()> wake = {}, int threads = 0)
-      : updater(wake, threads), job(wake), opening(wake) {}
+      : updater(wake, threads), job(wake), opening(wake), morph(wake) {}
 
   Session session;
   LiveUpdater updater;

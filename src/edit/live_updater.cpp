@@ -41,7 +41,10 @@ LiveUpdater::LiveUpdater(std::function<void()> wake, int threads)
       worker_(std::move(wake)) {}
 
 bool LiveUpdater::large() const {
-  return result_.shape && result_.shape->positions.size() > liveVertexLimit;
+  const std::size_t most = liveVerticesPerThread * static_cast<std::size_t>(frameThreads_);
+  const auto& sculpture = baseSculpture_.sculpture;
+  return (result_.shape && result_.shape->positions.size() > most) ||
+         (sculpture && sculpture->mesh.positions.size() > most);
 }
 
 bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {

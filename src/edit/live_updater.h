@@ -71,8 +71,8 @@ class LiveUpdater {
 
   /// The longer side of pictures and match while something moves, in pixels.
   static constexpr int coarseSize = 40;
-  /// More vertices than this do not follow in the frame but on the worker.
-  static constexpr std::size_t liveVertexLimit = 200'000;
+  /// Original and sculpture with more vertices than this for each thread of a frame follow on the worker.
+  static constexpr std::size_t liveVerticesPerThread = 25'000;
 
  private:
   using Clock = std::chrono::steady_clock;

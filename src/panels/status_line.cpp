@@ -48,17 +48,18 @@ void openingProgress(Editor& editor, const UiState& ui) {
   ImGui::PopID();
 }
 
-// An edit that is made in the background.
-void jobProgress(Editor& editor, const UiState& ui) {
+// Of something else that is being made. Returns whether it is to be cancelled.
+bool jobProgress(const char* name, double fraction, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   ImGui::SameLine(0, 24 * s);
-  ImGui::TextUnformatted(editor.job.name().c_str());
+  ImGui::TextUnformatted(name);
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::ProgressBar(static_cast<float>(fraction), {110 * s, ImGui::GetTextLineHeight()}, "");
   ImGui::SameLine();
-  ImGui::PushID("job");
-  if (ImGui::SmallButton(tr("Cancel"))) editor.job.cancel();
+  ImGui::PushID(name);
+  const bool cancel = ImGui::SmallButton(tr("Cancel"));
   ImGui::PopID();
+  return cancel;
 }
 
 }  // namespace
@@ -74,8 +75,11 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   const std::string state = stateText(result);
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
-  if (editor.job.busy()) jobProgress(editor, ui);
+  if (editor.job.busy() && jobProgress(editor.job.name().c_str(), editor.job.fraction(), ui))
+    editor.job.cancel();
   if (editor.opening.busy()) openingProgress(editor, ui);
+  if (ui.shot.running && jobProgress(tr("The picture is being drawn..."), ui.shot.fraction, ui))
+    ui.requests.cancelShot = true;
   const std::string message = !editor.message.empty()         ? editor.message
                               : !result.warnings.empty()      ? result.warnings.front()
                               : !result.shapeWarnings.empty() ? result.shapeWarnings.front()

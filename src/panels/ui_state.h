@@ -49,6 +49,10 @@ struct UiState : Look {
   bool headless = false;         ///< a screenshot: nothing that differs from run to run is shown
 
   UiRequests requests;
+  struct ShotProgress {
+    bool running = false;
+    double fraction = 0;
+  } shot;  ///< the picture of the window that is being made
 
   // Dialogs, of which one has all keys (panels/dialogs.h).
   std::optional<Notice> notice;

@@ -3,7 +3,23 @@
 #include <chrono>
 #include <exception>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace anamorph {
+namespace {
+
+// The window comes first where there are few processors. Threads that are started by this one inherit it.
+void makeWayForFrames() {
+#ifdef __linux__
+  constexpr int niceness = 10;
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness);
+#endif
+}
+
+}  // namespace
 
 Worker::Worker(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { loop(); }) {}
 
@@ -57,6 +73,7 @@ std::optional<std::string> Worker::takeFailure() {
 }
 
 void Worker::loop() {
+  makeWayForFrames();
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || waiting_; });
