@@ -3,13 +3,14 @@
 #include "texel.glsl"
 
 uniform sampler2D positions;
+uniform int first;     // vertex that is drawn
 uniform float radius;  // pixels
 
 flat out vec3 middle;  // in pixels; z: depth
 flat out vec3 ink;
 
 void main() {
-  vec4 p = texelFetch(positions, texelCoord(surfaceOffsets[sculptureSurface].z + gl_InstanceID), 0);
+  vec4 p = texelFetch(positions, texelCoord(surfaceOffsets[sculptureSurface].z + first + gl_InstanceID), 0);
   vec3 point = surfaceCentre[sculptureSurface].xyz + p.xyz;
   float z = viewDepth(point);
   int status = int(0.5 - p.w);  // PathStatus

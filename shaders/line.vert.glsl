@@ -4,6 +4,7 @@
 #include "texel.glsl"
 
 uniform sampler2D lines;   // from, width; to, style with lineArrow, lineInFront; display colour, alpha
+uniform int first;         // that is drawn
 uniform float pixelScale;  // pixels of this picture for one of a line's width
 
 flat out vec4 ends;    // both in pixels
@@ -17,9 +18,10 @@ vec2 pixelOf(vec3 point) {
 }
 
 void main() {
-  vec4 a = texelFetch(lines, texelCoord(3 * gl_InstanceID), 0);
-  vec4 b = texelFetch(lines, texelCoord(3 * gl_InstanceID + 1), 0);
-  ink = texelFetch(lines, texelCoord(3 * gl_InstanceID + 2), 0);
+  int texel = 3 * (first + gl_InstanceID);
+  vec4 a = texelFetch(lines, texelCoord(texel), 0);
+  vec4 b = texelFetch(lines, texelCoord(texel + 1), 0);
+  ink = texelFetch(lines, texelCoord(texel + 2), 0);
   int kind = int(b.w + 0.5);
   float halfWidth = 0.5 * a.w * pixelScale;
 

@@ -1,5 +1,6 @@
 // Chooses the command, prints an Error, returns the exit code; all else is in cli/ and app/.
 
+#include "base/temporary_file.h"
 #include "cli/run_command.h"
 
 #ifdef ANAMORPH_GUI
@@ -7,6 +8,7 @@
 #endif
 
 int main(int argc, char** argv) {
+  anamorph::removeTemporariesOnSignals();
 #ifdef ANAMORPH_GUI
   return anamorph::runCommand(argc, argv, anamorph::windowCommands());
 #else

@@ -1,15 +1,23 @@
 #include "anamorphosis/match.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
 
+#include "anamorphosis/contour.h"
+#include "anamorphosis/outline.h"
+#include "base/check.h"
 #include "base/parallel_for.h"
 
 namespace anamorph {
 namespace {
+
+// Of an original that covers less than this no figure says anything: a share of the picture, within pixels.
+constexpr double fewestShare = 0.0004, fewestPixels = 16, mostNeeded = 100;
 
 // A hit on the sculpture by way of the mirror; without a mirror, seen directly.
 struct ReflectedHit {
@@ -34,38 +42,54 @@ bool touch(const PointArray& points, const Triangle& a, const Triangle& b) {
   return shared >= 2;
 }
 
+// What one ray of the picture tells.
+struct Sample {
+  std::optional<std::uint32_t> original;  // the triangle that is seen
+  bool meets = false;                     // the optic
+  bool blocked = false;                   // something stands before what would be seen
+  std::optional<ReflectedHit> reflected;
+
+  bool shows() const { return reflected.has_value(); }
+  PixelClass kind() const {
+    if (!original) return shows() ? PixelClass::onlyReflection : PixelClass::background;
+    if (shows()) return PixelClass::both;
+    return !meets ? PixelClass::missed : blocked ? PixelClass::hidden : PixelClass::onlyOriginal;
+  }
+};
+
 class Matcher {
  public:
   explicit Matcher(const MatchInput& input)
       : input_(input), projection_(input.camera, input.width, input.height) {}
 
-  PixelResult pixel(int x, int y) const {
-    const Pixel sample = matchSample(x, y);
-    const Ray ray = projection_.rayThrough(sample);
+  Sample at(const Pixel& place) const {
+    const Ray ray = projection_.rayThrough(place);
+    Sample sample;
     BvhHit first;
-    const bool seesOriginal = input_.originalBvh->closestHit(ray, first);
-
+    if (input_.originalBvh->closestHit(ray, first)) sample.original = first.triangle;
     const LineOfSight sight = lineOfSight(input_.optic, ray);
-    const bool hidden = sculptureStandsInTheWay(sight);
-    std::optional<ReflectedHit> reflected;
-    if (!sight.ends && !hidden) reflected = sculptureAlong(sight.last, sight.length);
+    sample.meets = sight.meets;
+    sample.blocked = isBlockedBeforeTheLastRay(sight);
+    if (sight.ends || sample.blocked) return sample;
 
-    PixelResult result;
-    if (seesOriginal && reflected) {
-      result.kind = PixelClass::both;
-      const auto seenAt = projection_.pixelOf(reflected->original);
-      const double error = seenAt ? glm::length(*seenAt - sample) : worstError();
-      result.errorPx = static_cast<float>(std::min(error, worstError()));
-      const auto& triangles = input_.original->triangles;
-      result.sameTriangle =
-          touch(input_.original->positions, triangles[first.triangle], triangles[reflected->sourceTriangle]);
-    } else if (seesOriginal) {
-      result.kind = !sight.meets ? PixelClass::missed
-                    : hidden     ? PixelClass::hidden
-                                 : PixelClass::onlyOriginal;
-    } else if (reflected) {
-      result.kind = PixelClass::onlyReflection;
-    }
+    const double limit = nearestObstacle(sight.last, sight.length);
+    sample.reflected = sculptureAlong(sight.last, limit);
+    sample.blocked = !sample.reflected && limit < sight.length &&
+                     input_.sculptureBvh->anyHit(sight.last, limit, sight.length);
+    return sample;
+  }
+
+  PixelResult pixel(int x, int y) const {
+    const Pixel place = matchSample(x, y);
+    const Sample sample = at(place);
+    PixelResult result{sample.kind()};
+    if (result.kind != PixelClass::both) return result;
+    const auto seenAt = projection_.pixelOf(sample.reflected->original);
+    const double error = seenAt ? glm::length(*seenAt - place) : worstError();
+    result.errorPx = static_cast<float>(std::min(error, worstError()));
+    const auto& triangles = input_.original->triangles;
+    result.sameTriangle = touch(input_.original->positions, triangles[*sample.original],
+                                triangles[sample.reflected->sourceTriangle]);
     return result;
   }
 
@@ -73,14 +97,23 @@ class Matcher {
   double worstError() const { return std::max(projection_.width(), projection_.height()); }
 
   // Between the eye and the last point on the optic.
-  bool sculptureStandsInTheWay(const LineOfSight& sight) const {
+  bool isBlockedBeforeTheLastRay(const LineOfSight& sight) const {
     Point from = projection_.eye();
     for (int i = 0; i < sight.bendCount; ++i) {
       const Point& to = sight.bends[static_cast<std::size_t>(i)];
-      if (input_.sculptureBvh->anyHit({from, to - from}, 0, 1)) return true;
+      const Ray way{from, to - from};
+      if (input_.sculptureBvh->anyHit(way, 0, 1) || nearestObstacle(way, 1) < 1) return true;
       from = to;
     }
     return false;
+  }
+
+  // How far the ray goes until it meets floor or obstacle; tMax when it does not.
+  double nearestObstacle(const Ray& ray, double tMax) const {
+    if (input_.floor) tMax = intersect(*input_.floor, ray, tMax).value_or(tMax);
+    BvhHit hit;
+    if (input_.obstacle && input_.obstacle->closestHit(ray, hit, 0, tMax)) tMax = hit.t;
+    return tMax;
   }
 
   std::optional<ReflectedHit> sculptureAlong(const Ray& ray, double length) const {
@@ -96,6 +129,24 @@ class Matcher {
   const MatchInput& input_;
   Projection projection_;
 };
+
+// Pixels that show the sculpture where neither they nor their neighbours show the original.
+std::size_t countBeside(const std::vector<PixelResult>& pixels, int width, int height) {
+  const auto original = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < width && y < height &&
+           showsOriginal(pixels[static_cast<std::size_t>(y) * width + x].kind);
+  };
+  std::size_t count = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (pixels[static_cast<std::size_t>(y) * width + x].kind != PixelClass::onlyReflection) continue;
+      bool near = false;
+      for (int i = 0; i < 9; ++i) near |= original(x + i % 3 - 1, y + i / 3 - 1);
+      count += !near;
+    }
+  }
+  return count;
+}
 
 MatchReport summarize(const std::vector<PixelResult>& pixels, const MatchInput& input) {
   MatchReport report;
@@ -117,10 +168,12 @@ MatchReport summarize(const std::vector<PixelResult>& pixels, const MatchInput& 
   const double original =
       both + of(PixelClass::onlyOriginal) + of(PixelClass::hidden) + of(PixelClass::missed);
   const double either = original + of(PixelClass::onlyReflection);
+  report.originalPixels = static_cast<std::size_t>(original);
   if (either > 0) report.silhouetteIou = both / either;
   if (original > 0) {
     report.hiddenShare = of(PixelClass::hidden) / original;
     report.missedShare = of(PixelClass::missed) / original;
+    report.extraShare = static_cast<double>(countBeside(pixels, input.width, input.height)) / original;
   }
   report.comparedPixels = errors.size();
   if (errors.empty()) return report;
@@ -160,28 +213,49 @@ Match computeMatch(const MatchInput& input, int threads, const Progress& progres
     }
     const std::lock_guard<std::mutex> lock(reporting);
     rowsDone += lastRow - firstRow;
-    progress.update(static_cast<double>(rowsDone) / static_cast<double>(height));
+    progress.update(0.8 * static_cast<double>(rowsDone) / static_cast<double>(height));
   });
   if (progress.cancelled()) return {};
   Match match;
   match.report = summarize(pixels, input);
   match.classes.reserve(pixels.size());
   for (const PixelResult& pixel : pixels) match.classes.push_back(pixel.kind);
+  const auto classAt = [&](const Pixel& place) { return matcher.at(place).kind(); };
+  const Outlines outlines =
+      findOutlines(match.classes, input.width, input.height, classAt, threads, progress);
+  if (progress.cancelled()) return {};
+  match.report.contourPx = contourDistance(outlines.original, outlines.reflection);
   return match;
 }
 
+const MatchBounds& boundsOf(MatchGrade grade) {
+  static constexpr MatchBounds bounds[] = {
+      {MatchGrade::excellent, 0.5, 0.5, 0.995, 0, 0, 0.001},
+      {MatchGrade::match, 1, 1, 0.99, 0.01, 0.01, 0.01},
+      {MatchGrade::partial, 3, std::numeric_limits<double>::infinity(), 0, 0.5, 0.5, 0.5},
+  };
+  const auto index = static_cast<std::size_t>(grade);
+  CHECK(index < std::size(bounds));
+  return bounds[index];
+}
+
 MatchGrade gradeOf(const MatchReport& report) {
-  const bool clean = report.hiddenShare == 0 && report.missedShare == 0;
-  const bool exact = report.p99Px <= 0.5 && report.triangleAgreement >= 0.995;
-  if (report.silhouetteIou >= 0.995 && clean && exact) return MatchGrade::excellent;
-  if (report.silhouetteIou >= 0.99 && report.p99Px <= 1 && report.triangleAgreement >= 0.99)
-    return MatchGrade::match;
-  if (report.silhouetteIou >= 0.5) return MatchGrade::partial;
-  return MatchGrade::none;
+  const double pixels = static_cast<double>(report.width) * report.height;
+  if (static_cast<double>(report.originalPixels) < std::clamp(fewestShare * pixels, fewestPixels, mostNeeded))
+    return MatchGrade::tooSmall;
+  if (report.comparedPixels == 0) return MatchGrade::none;
+  for (const MatchGrade grade : {MatchGrade::excellent, MatchGrade::match, MatchGrade::partial}) {
+    const MatchBounds& most = boundsOf(grade);
+    if (report.contourPx <= most.contourPx && report.p99Px <= most.p99Px &&
+        report.triangleAgreement >= most.triangleAgreement && report.hiddenShare <= most.hiddenShare &&
+        report.missedShare <= most.missedShare && report.extraShare <= most.extraShare)
+      return grade;
+  }
+  return MatchGrade::poor;
 }
 
 const char* matchGradeName(MatchGrade grade) {
-  constexpr const char* names[] = {"excellent", "match", "partial", "none"};
+  constexpr const char* names[] = {"excellent", "match", "partial", "poor", "none", "too small"};
   return names[static_cast<int>(grade)];
 }
 

@@ -5,8 +5,9 @@
 //   reflected: eye ----> mirror ----> sculpture        which may itself stand between eye and mirror
 //
 // A reflected hit lies on a sculpture triangle, so at a known point of the original: where the camera would
-// see that point is where it should be. Without a mirror the sculpture is seen directly. Nothing here knows
-// how the sculpture was made, so no mistake of the map can hide.
+// see that point is where it should be. Without a mirror the sculpture is seen directly. What else stands in the
+// scene, a floor or a base plate, hides the sculpture as it does in the picture; the original is asked alone. Nothing
+// here knows how the sculpture was made, so no mistake of the map can hide.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,10 @@
 #include <optional>
 #include <vector>
 
+#include "anamorphosis/match_classes.h"
 #include "anamorphosis/sculpture.h"
 #include "geometry/bvh.h"
+#include "optics/floor.h"
 
 namespace anamorph {
 
@@ -26,20 +29,12 @@ struct MatchInput {
   std::shared_ptr<const Bvh> sculptureBvh;
   Optic optic;
   Camera camera;
-  int width = 512;  ///< of the image that is compared, in pixels
+  std::optional<Floor> floor;
+  std::shared_ptr<const Bvh> obstacle;  ///< something solid beside the sculpture, a base plate; null: nothing
+  int width = 512;                      ///< of the image that is compared, in pixels
   int height = 512;
 
   bool operator==(const MatchInput&) const = default;
-};
-
-/// What a pixel shows.
-enum class PixelClass : std::uint8_t {
-  background,      ///< neither
-  both,            ///< original and reflection agree that something is there
-  onlyOriginal,    ///< the reflection lacks it
-  onlyReflection,  ///< the reflection has it, the original does not
-  hidden,          ///< the original is here, but the sculpture itself stands before the mirror
-  missed,          ///< the original is here, but there is no mirror
 };
 
 struct MatchReport {
@@ -49,8 +44,14 @@ struct MatchReport {
   std::size_t comparedPixels = 0;           ///< where both show something; the correspondence is over these
   double meanPx = 0, p99Px = 0, maxPx = 0;  ///< correspondence error; 0 when nothing could be compared
   double triangleAgreement = 0;  ///< share of compared pixels on the same original triangle, or one beside it
-  double hiddenShare = 0;        ///< of the original's pixels
-  double missedShare = 0;        ///< of the original's pixels
+  std::size_t originalPixels = 0;  ///< that the original covers
+  double hiddenShare = 0;          ///< of the original's pixels
+  double missedShare = 0;          ///< of the original's pixels
+  double extraShare =
+      0;  ///< pixels that show the sculpture more than 1 px beside the original, over its pixels
+  /// Between the outlines of original and reflection (contour.h), to a quarter of a pixel; where something is hidden
+  /// or missed the reflection's outline is not asked.
+  double contourPx = 0;
 };
 
 /// Where in the image pixel (x, y) is asked: at a place of its own within it, hashed from its coordinates, so
@@ -62,12 +63,22 @@ struct Match {
   std::vector<PixelClass> classes;  ///< width * height, row by row from the top
 };
 
-enum class MatchGrade { excellent, match, partial, none };
+enum class MatchGrade { excellent, match, partial, poor, none, tooSmall };
 
-/// In words. Excellent: every figure is good as in method section 6, nothing hidden, nothing missed. Match:
-/// IoU >= 0.99, p99 <= 1 px, agreement >= 0.99. Partial: the silhouettes overlap by half. Else none.
+constexpr int matchGradeCount = 6;
+
+/// In words: the best grade whose bounds all figures keep. None: nothing of the sculpture is seen where the original
+/// is. Too small: the original covers so few pixels that no figure says anything.
 MatchGrade gradeOf(const MatchReport& report);
 const char* matchGradeName(MatchGrade grade);
+
+/// What a figure may be for a grade; the table of all is in match.cpp.
+struct MatchBounds {
+  MatchGrade grade;
+  double contourPx, p99Px, triangleAgreement;  ///< agreement: at least
+  double hiddenShare, missedShare, extraShare;
+};
+const MatchBounds& boundsOf(MatchGrade grade);  ///< of excellent, match or partial (CHECK)
 
 /// Deterministic for any thread count. A cancelled run returns an empty report.
 Match computeMatch(const MatchInput& input, int threads = 1, const Progress& progress = {});

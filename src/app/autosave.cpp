@@ -4,8 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "app/crash_handler.h"
 #include "app/unsaved_bytes.h"
 #include "base/language.h"
 
@@ -13,7 +12,7 @@ namespace anamorph {
 namespace {
 
 // Of jobs, which for levels that were left have the levels' absolute paths.
-const std::string openName = "open", removeName = "remove";
+const std::string openName = "open", crashName = "crash", removeName = "remove";
 
 }  // namespace
 
@@ -21,7 +20,10 @@ Autosave::Autosave(std::filesystem::path folder, std::function<void()> wake)
     : folder_(std::move(folder)), queue_(std::move(wake)) {}
 
 Autosave::~Autosave() {
-  if (std::uncaught_exceptions() > 0) return;  // the program is failing: this is what it is for
+  if (std::uncaught_exceptions() > 0) {  // the program is failing: this is what it is for
+    if (queue_.finish(0.5)) writeUnsaved();
+    return;
+  }
   queue_.add("end", [documents = std::move(documents_), unwanted = std::move(unwanted_)] {
     putUnsaved(nullptr);
     for (const auto& [name, document] : documents) document.file->remove();
@@ -36,6 +38,10 @@ std::optional<std::string> Autosave::update(const Session& session, const LeftLe
     // The program's own files are not written to, so it does not matter when they were.
     const auto fileTime = session.isInstalled() ? std::nullopt : session.fileTime();
     want(openName, session.path(), session.level(), fileTime, now);
+    const bool rests = !session.changing() || now >= lastPrepared_ + prepareSeconds;
+    if (rests && !(prepared_ == session.level())) prepare({session.path(), session.level(), fileTime}, now);
+  } else {
+    prepared_.reset();
   }
   for (const auto& [path, level] : left) want(path.string(), path, level, std::nullopt, now);
   for (auto document = documents_.begin(); document != documents_.end();) {
@@ -64,7 +70,7 @@ std::optional<std::string> Autosave::takeNews() {
   }
   if (!failure.empty()) {
     if (std::exchange(failure_, failure) == failure) return std::nullopt;
-    return fmt::format(fmt::runtime(tr("Unsaved changes could not be kept: {}")), failure);
+    return trFormat("Unsaved changes could not be kept: {}", failure);
   }
   if (!isWritten || std::exchange(failure_, "").empty()) return std::nullopt;
   return tr("Unsaved changes are kept again.");
@@ -82,8 +88,19 @@ void Autosave::want(const std::string& name, const std::filesystem::path& path, 
   document.kept = level;
   document.changed.reset();
   document.written = now;
-  queue_.add(name, [folder = folder_, file = document.file, unsaved = UnsavedLevel{path, level, fileTime},
-                    isOpen = name == openName] { keepUnsaved(folder, *file, unsaved, isOpen); });
+  const UnsavedLevel unsaved{path, level, fileTime};
+  if (name == openName) prepare(unsaved, now);
+  queue_.add(name,
+             [folder = folder_, file = document.file, unsaved] { keepUnsaved(folder, *file, unsaved); });
+}
+
+// A job of its own, whose newest is always done last: what waits to be written may be older.
+void Autosave::prepare(const UnsavedLevel& unsaved, double now) {
+  prepared_ = unsaved.level;
+  lastPrepared_ = now;
+  queue_.add(crashName, [folder = folder_, file = documents_[openName].file, unsaved] {
+    prepareUnsaved(folder, *file, unsaved);
+  });
 }
 
 void Autosave::removeUnwanted(double now) {
@@ -102,6 +119,7 @@ void Autosave::adopt(RecoveryFile rescued) {
   unwanted_.push_back(document.file);
   document = Document();
   document.file = std::make_shared<RecoveryFile>(std::move(rescued));
+  prepared_.reset();
 }
 
 std::optional<double> Autosave::secondsUntilDue(double now) const {

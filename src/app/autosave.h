@@ -5,7 +5,9 @@
 //   change  change change   change    change  change            a drag, for example
 //   |-- gatherSeconds -->| kept           |-- leastSeconds -->| kept
 //
-// What is not wanted any more, because it is saved, goes away, but not before all that is wanted is kept.
+// What is not wanted any more, because it is saved, goes away, but not before all that is wanted is kept. What a crash
+// would leave of the open level is made as bytes in memory after every change, and does not wait for that
+// (unsaved_bytes.h).
 #pragma once
 
 #include <algorithm>
@@ -48,6 +50,8 @@ class Autosave {
 
   /// From the first change that is not kept, and between two writings: together the most that is ever lost.
   static constexpr double gatherSeconds = 1, leastSeconds = 4;
+  /// A fault of the program costs no more than this of a change that goes on, and nothing else (crash_handler.h).
+  static constexpr double prepareSeconds = 1;
 
  private:
   /// A level that is not saved.
@@ -63,12 +67,15 @@ class Autosave {
   std::optional<std::string> takeNews();
   void want(const std::string& name, const std::filesystem::path& path, const Level& level,
             const std::optional<FileTime>& fileTime, double now);
+  void prepare(const UnsavedLevel& unsaved, double now);
   void removeUnwanted(double now);
 
   std::filesystem::path folder_;
   std::map<std::string, Document> documents_;            // that are wanted, by the names of their jobs
   std::vector<std::shared_ptr<RecoveryFile>> unwanted_;  // files of others, that go away in time
-  std::string failure_;                                  // that was said
+  std::optional<Level> prepared_;                        // that a crash would leave
+  double lastPrepared_ = -1e9;
+  std::string failure_;  // that was said
   WriteQueue queue_;
 };
 

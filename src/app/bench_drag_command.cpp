@@ -1,5 +1,6 @@
 // anamorph bench-drag: how fast does everything follow the mouse? A real drag of the gizmo, of the eye and
-// then of the original, through session, pipeline and 3D view, without a display.
+// then of the original, through session, pipeline and 3D view, without a display; and the longest frame of all
+// that is done.
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
+#include "app/bench_actions.h"
 #include "app/commands.h"
 #include "app/headless_gui.h"
 #include "base/error.h"
+#include "cli/print.h"
 #include "cli/report.h"
 #include "gl/load_gl.h"
 #include "level/level_library.h"
@@ -24,6 +26,7 @@ namespace {
 
 struct BenchOptions {
   std::string level;
+  std::size_t triangles = 0;  // of a torus knot as original; 0: the level's own
   int frames = 240;
   std::pair<int, int> size{1280, 800};
 };
@@ -86,42 +89,41 @@ Pixel gripOf(Gui& gui) {
   throw Error("bench-drag: the view shows no handle to drag; change the level's view");
 }
 
-Recording drag(HeadlessGui& headless, Part part, int frames) {
+Recording drag(HeadlessGui& headless, FrameRecorder& recorder, Part part, int frames) {
   Gui& gui = headless.gui();
   gui.editor().selection = {part, 0};
-  headless.settle();
+  recorder.begin(part == Part::eye ? "drag eye" : "drag original");
+  recorder.rest();
   const Rect& view = gui.ui().layout.view;
   const Pixel grip = gripOf(gui);
   const auto move = [&](double offset) {
     headless.moveMouse(view.x + static_cast<float>(grip.x + offset), view.y + static_cast<float>(grip.y));
   };
   move(0);
-  headless.frame();
+  recorder.frame();
   headless.pressMouse(0, true);
-  headless.frame();
+  recorder.frame();
   const Level before = gui.editor().session.level();
   bool moved = false;
   Recording recording;
   for (int i = 1; i <= frames; ++i) {
     move(40 * std::sin(2 * pi * i / 80.0));
-    headless.frame();
-    glFinish();
+    recorder.frame();
     moved |= !(before == gui.editor().session.level());
     record(recording, gui, gui.editor().updater.liveTimes(), gui.times().gpu);
   }
   if (!moved) throw Error("bench-drag: the drag changed nothing");
   headless.pressMouse(0, false);
-  headless.frame();
+  recorder.frame();
   headless.moveMouse(-1e6f, -1e6f);
-  gui.editor().session.undo();
   return recording;
 }
 
 void printTable(const std::string& what, const Recording& recording) {
-  fmt::print("{:<28} {:>9} {:>9} {:>9}\n", what + ", ms", "median", "p95", "max");
+  printLine(stdout, fmt::format("{:<28} {:>9} {:>9} {:>9}", what + ", ms", "median", "p95", "max"));
   for (const std::string& stage : recording.stages) {
     const Statistics s = statisticsOf(recording.values.at(stage));
-    fmt::print("{:<28} {:>9.2f} {:>9.2f} {:>9.2f}\n", stage, s.median, s.p95, s.max);
+    printLine(stdout, fmt::format("{:<28} {:>9.2f} {:>9.2f} {:>9.2f}", stage, s.median, s.p95, s.max));
   }
 }
 
@@ -134,20 +136,41 @@ JsonValue jsonOf(const Recording& recording) {
   return object.value();
 }
 
+JsonValue jsonOf(const std::vector<ActionFrames>& actions) {
+  JsonObject object;
+  for (const ActionFrames& a : actions)
+    object.add(a.action, JsonObject().add("frames", a.frames).add("longest", a.longest).value());
+  return object.value();
+}
+
+void printActions(const std::vector<ActionFrames>& actions) {
+  printLine(stdout, fmt::format("{:<28} {:>9} {:>9}", "all of a frame, ms", "frames", "longest"));
+  for (const ActionFrames& a : actions) {
+    printLine(stdout, fmt::format("{:<28} {:>9} {:>9.2f}", a.action, a.frames, a.longest));
+  }
+}
+
 void bench(const BenchOptions& options, const CommonOptions& common) {
-  const std::filesystem::path level = findLevel(options.level);
+  const BenchFolder folder;
+  std::filesystem::path level = findLevel(options.level);
+  if (options.triangles > 0) level = writeKnotLevel(level, options.triangles, folder.path());
   const HeadlessContext context;
   Preferences preferences;
   preferences.uiScale = 1;
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
-  headless.gui().open(level);
-  headless.settle();
-  const LevelResult& result = headless.gui().editor().updater.result();
+  Gui& gui = headless.gui();
+  FrameRecorder recorder(headless);
+  benchOpen(gui, recorder, level);
+  const LevelResult& result = gui.editor().updater.result();
   if (result.problem) throw Error(*result.problem, level.string());
   const std::size_t vertices = result.sculpture.sculpture->mesh.positions.size();
   const std::size_t triangles = result.sculpture.sculpture->mesh.triangles.size();
-  const Recording eye = drag(headless, Part::eye, options.frames);
-  const Recording original = drag(headless, Part::original, options.frames);
+  benchView(headless, recorder, options.frames);
+  const Recording eye = drag(headless, recorder, Part::eye, options.frames);
+  benchUndo(gui, recorder);
+  const Recording original = drag(headless, recorder, Part::original, options.frames);
+  gui.editor().session.undo();
+  benchFiles(gui, recorder, folder.path());
   if (common.json) {
     printJson(JsonObject()
                   .add("level", level.string())
@@ -157,23 +180,30 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
                   .add("frames", static_cast<std::size_t>(options.frames))
                   .add("dragEye", jsonOf(eye))
                   .add("dragOriginal", jsonOf(original))
+                  .add("actions", jsonOf(recorder.actions()))
                   .value());
     return;
   }
-  fmt::print("{}: {} vertices, {} triangles, {} x {} pixels, {}\n", level.string(), vertices, triangles,
-             options.size.first, options.size.second, rendererName());
+  printLine(stdout, fmt::format("{}: {} vertices, {} triangles, {} x {} pixels, {}", level.string(), vertices,
+                                triangles, options.size.first, options.size.second, rendererName()));
   printTable("drag the eye", eye);
   printTable("drag the original", original);
+  printActions(recorder.actions());
 }
 
 }  // namespace
 
 void addBenchDragCommand(CLI::App& app, CommonOptions& common) {
-  CLI::App* command =
-      app.add_subcommand("bench-drag", "Drag eye and original of a level, and time every stage");
+  CLI::App* command = app.add_subcommand(
+      "bench-drag",
+      "Drag eye and original of a level; time every stage, and the longest frame of every action");
   const auto options = std::make_shared<BenchOptions>();
   command->add_option("LEVEL", options->level, "A level (a file, or the name of an installed one)")
       ->required();
+  command
+      ->add_option("--triangles", options->triangles,
+                   "In place of the level's original: a torus knot of about so many triangles")
+      ->check(numberIn(limits::triangles));
   command->add_option("--frames", options->frames, "Frames of each drag (default 240)")
       ->check(numberIn(limits::benchFrames));
   addSizeOption(*command, options->size);

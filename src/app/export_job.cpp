@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/language.h"
 #include "base/parallel_for.h"
 #include "exports/export_level.h"
@@ -13,9 +11,15 @@ namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
   const LevelResult& result = editor.updater.result();
-  if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
-  if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
-  if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
+  if (std::exchange(ui.requests.startExport, false)) {
+    waiting_ = Task::write;
+    writing_ = dialog.request.path;
+  }
+  if (std::exchange(ui.requests.checkPrint, false)) {
+    waiting_ = Task::check;
+    writing_.reset();
+  }
+  if ((waiting_ || worker_.busy()) && std::exchange(ui.requests.cancelExport, false)) {
     cancelled_ = true;
     waiting_.reset();
     worker_.cancel();
@@ -44,13 +48,21 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     dialog.say(tr("Cancelled. Nothing was written."));
     cancelled_ = false;
   }
-  dialog.running = waiting_ || busy;
-  dialog.writing = dialog.running && waiting_.value_or(started_) == Task::write;
-  dialog.fraction = waiting_ ? 0 : worker_.fraction();
+  const bool runs = waiting_ || busy;
+  if (!runs || cancelled_) writing_.reset();
+  dialog.running = runs || ui.shot.running;
+  dialog.writing = writing_.has_value();
+  dialog.fraction = waiting_ ? 0 : ui.shot.running ? ui.shot.fraction : worker_.fraction();
+}
+
+std::optional<std::filesystem::path> ExportJob::unwritten(double seconds) {
+  if (!writing_) return std::nullopt;
+  const bool ended = !waiting_ && worker_.waitForEnd(seconds);
+  const auto outcome = outcomes_->take();
+  return ended && outcome && outcome->written ? std::nullopt : writing_;
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {
-  started_ = task;
   worker_.request(
       [task, finished = result, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
         const int threads = hardwareThreads();
@@ -69,8 +81,7 @@ void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& 
         } else {
           const auto summary = exportLevel(finished, request, threads, progress);
           if (!summary) return;
-          outcome.message =
-              fmt::format(fmt::runtime(tr("Written: {} ({})")), request.path.string(), summary->description);
+          outcome.message = trFormat("Written: {} ({})", request.path.string(), summary->description);
           outcome.lines = summary->warnings;
           outcome.written = true;
         }

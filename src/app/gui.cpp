@@ -18,6 +18,7 @@
 #include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels/key_input.h"
+#include "panels/level_sharing.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_mouse.h"
@@ -40,6 +41,13 @@ double timed(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return millisecondsSince(start);
+}
+
+std::size_t triangleCount(const ViewportInput& input) {
+  std::size_t count = 0;
+  for (const auto& mesh : {input.original.mesh, input.sculpture.prepared.mesh})
+    count += mesh ? mesh->triangles.size() : 0;
+  return count;
 }
 
 // What the panels have done since the editor advanced is seen in the next frame. They do nothing by themselves.
@@ -78,22 +86,43 @@ Gui::~Gui() {
   ImGui::DestroyContext(context_);
 }
 
-void Gui::open(const std::filesystem::path& path) {
+void Gui::open(LevelFile file) {
   endViewDrag(*editor_, ui_.mouse, false);  // it would put the old level into the new one's place
   letGoOfWidgets();
-  try {
-    openLevel(*editor_, path);
-    rememberLevel(ui_, path);
-  } catch (const Error& error) {
-    if (editor_->session.generation() == 0) throw;
-    ui_.notice = Notice{"The level could not be opened", error.what()};
-  }
+  const std::filesystem::path path = file.path;
+  openLevel(*editor_, std::move(file));
+  rememberLevel(ui_, path);
+  askForMissingMesh(*editor_, ui_);
 }
 
 void Gui::serveRequests() {
   settleRequests(*editor_, ui_);
-  if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
-  if (std::exchange(ui_.requests.startNew, false)) openNewLevel(*editor_);
+  double patience = 0;
+  if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) {
+    editor_->opening.start(*path);
+    openingFrom_ = editor_->session.level();
+    patience = 0.05;  // most files are here in less, and then nothing flickers
+  }
+  if (std::exchange(ui_.requests.startNew, false)) {
+    editor_->opening.cancel();
+    openNewLevel(*editor_);
+  }
+  openWhenRead(patience);
+}
+
+void Gui::openWhenRead(double patienceSeconds) {
+  try {
+    auto file = editor_->opening.take(patienceSeconds);
+    if (!file) return;
+    // Nobody has been asked about changes that came after the question.
+    if (!(openingFrom_ == editor_->session.level())) {
+      throw Error(tr("the level has been changed meanwhile, so nothing was done."),
+                  file->path.filename().string());
+    }
+    open(std::move(*file));
+  } catch (const Error& error) {
+    ui_.notice = Notice{"The level could not be opened", error.what()};
+  }
 }
 
 // The pictures that the README shows, where there is one of a level's name.
@@ -141,7 +170,7 @@ void Gui::refreshTextures() {
   reflection_.show(previews.reflection, smooth);
   original_.show(previews.original, smooth);
   difference_.show(previews.difference, false);
-  render_.show(renderJob_->image(), true);
+  render_.show(renderJob_->picture());
   ui_.textures.reflection = reflection_.texture();
   ui_.textures.original = original_.texture();
   ui_.textures.difference = difference_.texture();
@@ -157,42 +186,67 @@ void Gui::drawView(double seconds, const ViewQuality* forced) {
   const bool handsOn =
       io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || ImGui::IsAnyMouseDown() || io.MouseWheel != 0;
   secondsHandsOff_ = handsOn ? 0 : secondsHandsOff_ + seconds;
-  // A finer picture in software takes a while, in which the panels would not answer the mouse.
-  if (software_ && !forced && !moving && secondsHandsOff_ < patience && ui_.textures.view.id != 0) return;
+  // A finer picture takes all the time that frames have, in which the panels would be slow to answer the mouse.
+  if (software_ && !forced && !moving && secondsHandsOff_ < patience && viewport_->current()) return;
+  if (triangleCount(input) > 4 * triangleCount(lastInput_)) governor_.forget();
   const ViewQuality quality = forced ? *forced : governor_.next(moving, secondsStill_);
   fine_ = forced || governor_.isFinal(quality);
   const auto start = std::chrono::steady_clock::now();
   timer_.begin();
-  const bool drawn = viewport_->draw(input, quality.scale, quality.samplesNow, quality.samples);
+  const bool drawn =
+      viewport_->draw(input, quality.scale, quality.samplesNow, quality.samples, quality.milliseconds);
   timer_.end();
   if (drawn && software_) glFinish();  // its time is the processor's
   times_.view = millisecondsSince(start);
   times_.gpu = timer_.result();
-  if (drawn) governor_.took(quality, software_ ? times_.view : times_.gpu);
+  if (const auto cost = viewport_->takeCost()) {
+    governor_.took({cost->scale}, cost->milliseconds);
+  } else if (drawn && !software_ && quality.milliseconds == Piecework::noHurry) {
+    governor_.took(quality, times_.gpu);
+  }
   if (moving) lastInput_ = std::move(input);
   ui_.viewProblem = viewport_->problem();
   ui_.textures.view = {viewport_->texture(), editor_->viewWidth, editor_->viewHeight, true};
 }
 
 void Gui::frame(double seconds, const ViewQuality* forced) {
+  const auto start = std::chrono::steady_clock::now();
+  beginFrame(seconds);
+  drawView(seconds, forced);
+  refreshTextures();
+  times_.panels += timed([&] { drawPanels(*editor_, ui_); });
+  owesFrame_ = wasTouched();
+  serveRequests();
+  times_.draw = timed([&] { drawLists(transparent_ ? 0 : 1); });
+  ui_.frameMilliseconds = millisecondsSince(start);
+}
+
+void Gui::layOut() {
+  beginFrame(1e-4);
+  drawPanels(*editor_, ui_);
+  ImGui::EndFrame();
+}
+
+ViewportInput Gui::drawWithoutView() {
+  beginFrame(1e-4);
+  const UiTexture view = std::exchange(ui_.textures.view, {});
+  drawPanels(*editor_, ui_);
+  drawLists(0);
+  ui_.textures.view = view;
+  return inputMaker_.make(*editor_, ui_, *rays_, transparent_);
+}
+
+void Gui::beginFrame(double seconds) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().DeltaTime = static_cast<float>(std::max(1e-4, seconds));
   refreshLanguage();
   refreshStyle();
-  const auto start = std::chrono::steady_clock::now();
   ImGui_ImplOpenGL3_NewFrame();
   times_.panels = timed([&] {
     ImGui::NewFrame();
     handleInput(*editor_, ui_);
   });
   advanceAll(seconds);
-  drawView(seconds, forced);
-  refreshTextures();
-  times_.panels += timed([&] { drawPanels(*editor_, ui_); });
-  owesFrame_ = wasTouched();
-  serveRequests();
-  times_.draw = timed([&] { drawLists(); });
-  ui_.frameMilliseconds = millisecondsSince(start);
 }
 
 void Gui::advanceAll(double seconds) {
@@ -208,19 +262,27 @@ void Gui::advanceAll(double seconds) {
   exportJob_->update(*editor_, ui_);
 }
 
-void Gui::drawLists() const {
+void Gui::drawLists(float alpha) const {
   ImGui::Render();
   const ImGuiIO& io = ImGui::GetIO();
   glViewport(0, 0, static_cast<int>(io.DisplaySize.x * io.DisplayFramebufferScale.x),
              static_cast<int>(io.DisplaySize.y * io.DisplayFramebufferScale.y));
-  glClearColor(0, 0, 0, transparent_ ? 0.0f : 1.0f);
+  glClearColor(0, 0, 0, alpha);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 bool Gui::unfinished() const {
   return owesFrame_ || isMoving(*editor_) || !viewComplete() || editor_->updater.busy() ||
-         editor_->job.busy() || ui_.render.running || !ui_.render.saving.empty() || ui_.exporting.running;
+         editor_->job.busy() || editor_->opening.busy() || editor_->morph.busy() || ui_.render.running ||
+         !ui_.render.saving.empty() || !render_.complete() || ui_.exporting.running || ui_.shot.running ||
+         ui_.requests.shot;
+}
+
+std::vector<std::filesystem::path> Gui::unwritten(double seconds) {
+  std::vector<std::filesystem::path> files = renderJob_->unwritten(seconds);
+  if (auto file = exportJob_->unwritten(seconds)) files.push_back(std::move(*file));
+  return files;
 }
 
 void Gui::key(int key, int modifiers, bool repeated) {

@@ -12,7 +12,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/shot.h"
 #include "base/error.h"
 #include "gl/offscreen_context.h"
 #include "panels/actions.h"
@@ -73,6 +72,7 @@ void HeadlessGui::frame(double seconds, const ViewQuality* forced) {
   ImGui::GetIO().DisplaySize = {static_cast<float>(width()), static_cast<float>(height())};
   framebuffer_.bind();
   gui_->frame(seconds, forced);
+  shotJob_.update(*gui_);
   ImGui::GetIO().MouseWheel = 0;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/gui.h"
+#include "app/shot_job.h"
 #include "gl/framebuffer.h"
 
 namespace anamorph {
@@ -50,6 +51,7 @@ class HeadlessGui {
  private:
   std::unique_ptr<Gui> gui_;
   Framebuffer framebuffer_;
+  ShotJob shotJob_;
 };
 
 }  // namespace anamorph

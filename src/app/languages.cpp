@@ -5,37 +5,49 @@
 #include <map>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file.h"
+#include "base/format_places.h"
 #include "base/resources.h"
 #include "level/json.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t mostNameBytes = 200;
+
 fs::path languageFolder() {
   return resourceFolder() / "assets" / "languages";
 }
 
 const JsonValue& member(const JsonValue& object, const char* key, JsonValue::Kind kind, const char* kindName,
-                        const fs::path& file) {
+                        const std::string& file) {
   const JsonValue* value = findMember(object, key);
   if (value && value->kind == kind) return *value;
   throw Error(std::string("expected ") + kindName + ", got " + (value ? describeJson(*value) : "nothing"),
-              file.string(), joinJsonPath("", key));
+              file, joinJsonPath("", key));
 }
 
-// The places that values are put into: "{} of {:.1f}" has two. In order, because values are.
-std::vector<std::string> placesOf(const std::string& text) {
-  std::vector<std::string> places;
-  for (std::size_t begin = text.find('{'); begin != std::string::npos; begin = text.find('{', begin + 1)) {
-    const std::size_t end = text.find('}', begin);
-    if (end == std::string::npos) break;
-    places.push_back(text.substr(begin, end - begin));
+std::string bytesText(std::size_t most, const std::string& got) {
+  return fmt::format("expected at most {} bytes, got {}", most, got.size());
+}
+
+void checkText(const std::string& english, const JsonValue& text, const std::string& file) {
+  const auto fail = [&](const std::string& what) {
+    throw Error(what, file, joinJsonPath("/texts", english));
+  };
+  if (text.kind != JsonValue::Kind::string || text.text.empty()) {
+    fail("expected a string that is not empty, got " + describeJson(text));
   }
-  return places;
+  if (text.text.size() > limits::mostTextBytes) fail(bytesText(limits::mostTextBytes, text.text));
+  if (!takesSameValues(english, text.text)) {
+    fail("expected the same {} places as in English, got " + describeJson(text));
+  }
 }
 
 std::string systemLanguage() {
@@ -63,29 +75,28 @@ const KeptLanguage& keptLanguage(const std::string& code) {
 
 }  // namespace
 
-TextTable loadTexts(const fs::path& file, std::string* name) {
-  const JsonValue json = parseJson(readFile(file, std::size_t{4} << 20).view(), file.string());
+TextTable parseTexts(std::string_view text, const std::string& file, std::string* name) {
+  const JsonValue json = parseJson(text, file);
   using Kind = JsonValue::Kind;
   const JsonValue& format = member(json, "format", Kind::string, "\"anamorph-language\"", file);
   if (format.text != "anamorph-language") {
-    throw Error("expected \"anamorph-language\", got " + describeJson(format), file.string(), "/format");
+    throw Error("expected \"anamorph-language\", got " + describeJson(format), file, "/format");
   }
-  if (name) *name = member(json, "name", Kind::string, "a string", file).text;
+  if (name) {
+    *name = member(json, "name", Kind::string, "a string", file).text;
+    if (name->size() > mostNameBytes) throw Error(bytesText(mostNameBytes, *name), file, "/name");
+  }
   const JsonValue& texts = member(json, "texts", Kind::object, "an object", file);
   TextTable table;
   for (std::size_t i = 0; i < texts.keys.size(); ++i) {
-    const std::string where = joinJsonPath("/texts", texts.keys[i]);
-    const JsonValue& text = texts.items[i];
-    if (text.kind != Kind::string || text.text.empty()) {
-      throw Error("expected a string that is not empty, got " + describeJson(text), file.string(), where);
-    }
-    if (placesOf(text.text) != placesOf(texts.keys[i])) {
-      throw Error("expected the same {} places as in English, got " + describeJson(text), file.string(),
-                  where);
-    }
-    table[texts.keys[i]] = text.text;
+    checkText(texts.keys[i], texts.items[i], file);
+    table[texts.keys[i]] = texts.items[i].text;
   }
   return table;
+}
+
+TextTable loadTexts(const fs::path& file, std::string* name) {
+  return parseTexts(readFile(file, std::size_t{4} << 20).view(), file.string(), name);
 }
 
 std::vector<LanguageChoice> listLanguages() {

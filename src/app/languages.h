@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/language.h"
@@ -13,7 +14,11 @@
 
 namespace anamorph {
 
-/// Throws Error `file: where: expected, got`; also for a translation with other {} places than its English.
+/// Throws Error `file: where: expected, got`; also for a translation that takes other values than its English
+/// (base/format_places.h). `file` is only for messages.
+TextTable parseTexts(std::string_view text, const std::string& file, std::string* name = nullptr);
+
+/// parseTexts of a file of at most 4 MiB.
 TextTable loadTexts(const std::filesystem::path& file, std::string* name = nullptr);
 
 /// English first, then the files of the folder by name, which is their code; those that cannot be read are

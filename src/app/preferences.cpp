@@ -99,7 +99,8 @@ Preferences loadPreferences(const fs::path& path, std::string& message) {
   return p;
 }
 
-void savePreferences(const fs::path& path, const Preferences& before, const Preferences& now) {
+std::vector<std::string> savePreferences(const fs::path& path, const Preferences& before,
+                                         const Preferences& now) {
   makeFolder(path.parent_path());
   const SharedFileLock lock(path);
   JsonValue kept = keptIn(path);
@@ -113,7 +114,7 @@ void savePreferences(const fs::path& path, const Preferences& before, const Pref
       kept.items[static_cast<std::size_t>(there - kept.keys.begin())] = wanted.items[i];
     }
   }
-  writeFile(path, formatJson(kept) + "\n");
+  return writeFile(path, formatJson(kept) + "\n");
 }
 
 const char* themeName(Theme theme) {

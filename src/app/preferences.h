@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "panels/preferences.h"
 
@@ -16,8 +17,10 @@ std::filesystem::path preferencesPath();
 Preferences loadPreferences(const std::filesystem::path& path, std::string& message);
 
 /// Puts what differs between `before` and `now` into the file, where another window may have written the rest, and
-/// replaces it atomically. A file that cannot be read is replaced as a whole. Makes the folder. Throws Error.
-void savePreferences(const std::filesystem::path& path, const Preferences& before, const Preferences& now);
+/// replaces it atomically. A file that cannot be read is replaced as a whole. Makes the folder. Returns what could not be
+/// kept of the old one. Throws Error.
+std::vector<std::string> savePreferences(const std::filesystem::path& path, const Preferences& before,
+                                         const Preferences& now);
 
 const char* themeName(Theme theme);
 std::optional<Theme> findTheme(const std::string& name);

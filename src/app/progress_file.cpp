@@ -62,9 +62,7 @@ void add(LessonProgress& progress, const LessonProgress& now, const LessonProgre
 
 // What cannot be read is not written over.
 void setAside(const fs::path& path) {
-  std::error_code failure;
-  fs::rename(path, path.string() + ".broken", failure);
-  if (failure) throw Error("cannot be set aside: " + failure.message(), path.string());
+  renameFile(path, path.string() + ".broken");
 }
 
 }  // namespace
@@ -80,7 +78,8 @@ LessonProgress loadProgress(const fs::path& path, std::string& message) {
   }
 }
 
-void saveProgress(const fs::path& path, const LessonProgress& before, const LessonProgress& now) {
+std::vector<std::string> saveProgress(const fs::path& path, const LessonProgress& before,
+                                      const LessonProgress& now) {
   makeFolder(path.parent_path());
   const SharedFileLock lock(path);
   std::error_code ignored;
@@ -91,7 +90,7 @@ void saveProgress(const fs::path& path, const LessonProgress& before, const Less
   if (now.empty()) progress.clear();
   const LessonProgress nothing;
   add(progress, now, isThere && broken.empty() ? before : nothing);
-  writeFile(path, format(progress));
+  return writeFile(path, format(progress));
 }
 
 }  // namespace anamorph

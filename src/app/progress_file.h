@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "edit/lesson_state.h"
 
@@ -15,7 +16,9 @@ LessonProgress loadProgress(const std::filesystem::path& path, std::string& mess
 
 /// Adds what is in `now` and was not in `before` to what the file has, which another window may have written meanwhile,
 /// and replaces it atomically; no progress at all replaces it by nothing. Where there is no file, all of `now` is
-/// written; so it is in place of a broken one, which is first set aside as progress.json.broken. Makes the folder. Throws Error.
-void saveProgress(const std::filesystem::path& path, const LessonProgress& before, const LessonProgress& now);
+/// written; so it is in place of a broken one, which is first set aside as progress.json.broken. Makes the folder.
+/// Returns what could not be kept of the old one. Throws Error.
+std::vector<std::string> saveProgress(const std::filesystem::path& path, const LessonProgress& before,
+                                      const LessonProgress& now);
 
 }  // namespace anamorph

@@ -6,9 +6,11 @@
 #include <charconv>
 #include <chrono>
 #include <ctime>
+#include <future>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/chrono.h>
@@ -46,6 +48,35 @@ std::optional<FileTime> timeOf(const fs::path& file) {
   return failure ? std::nullopt : std::optional(time);
 }
 
+// A level's file, which may be on a disk that does not answer.
+struct LevelNow {
+  std::optional<FileTime> time;
+  std::optional<Level> level;  // nothing: it cannot be read
+};
+
+LevelNow readNow(const fs::path& file) {
+  LevelNow now{timeOf(file), {}};
+  try {
+    Session session;
+    session.open(file);
+    now.level = session.level();
+  } catch (const Error&) {
+    // Then what was rescued is all there is.
+  }
+  return now;
+}
+
+// What `look` makes of the file; nothing of it after half a second: then it is left to itself.
+template <typename Found>
+Found lookAt(const fs::path& file, Found (*look)(const fs::path&)) {
+  if (file.empty()) return {};
+  std::packaged_task<Found()> task([file, look] { return look(file); });
+  std::future<Found> found = task.get_future();
+  std::thread(std::move(task)).detach();
+  const bool answers = found.wait_for(std::chrono::milliseconds(500)) == std::future_status::ready;
+  return answers ? found.get() : Found();
+}
+
 // Times of files are compared only by the system that made them: the count of its clock will do.
 std::string textOf(const std::optional<FileTime>& time) {
   return time ? std::to_string(time->time_since_epoch().count()) : "";
@@ -63,7 +94,7 @@ std::optional<FileTime> timeIn(const JsonValue& json, const char* key) {
 
 // The file as it is now goes with it: another one that is found later was written after this.
 std::string format(const UnsavedLevel& unsaved, const std::string& level) {
-  const auto seen = unsaved.fileTime ? timeOf(unsaved.path) : std::nullopt;
+  const auto seen = unsaved.fileTime ? lookAt(unsaved.path, timeOf) : std::nullopt;
   return formatJson(JsonObject()
                         .add("format", std::string("anamorph-recovery"))
                         .add("path", absolutePath(unsaved.path))
@@ -90,11 +121,12 @@ std::string timeText(std::time_t time) {
   const double minutes = std::difftime(now, time) / 60;
   const std::string clock = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(time));
   if (minutes < 1 || minutes > 24 * 60) return clock;
-  if (minutes < 100) return fmt::format(fmt::runtime(tr("{}, {:.0f} minutes ago")), clock, minutes);
-  return fmt::format(fmt::runtime(tr("{}, {:.0f} hours ago")), clock, minutes / 60);
+  if (minutes < 100) return trFormat("{}, {:.0f} minutes ago", clock, minutes);
+  return trFormat("{}, {:.0f} hours ago", clock, minutes / 60);
 }
 
-void read(Rescued& rescued) {
+// Returns whether its level's file holds the same.
+bool read(Rescued& rescued) {
   const std::string name = rescued.file.string();
   const JsonValue json = parseJson(readFile(rescued.file, 2 * maxLevelBytes).view(), name);
   if (member(json, "format", JsonValue::Kind::string, name).text != "anamorph-recovery") {
@@ -109,21 +141,11 @@ void read(Rescued& rescued) {
   rescued.entry.time = timeText(static_cast<std::time_t>(time));
   rescued.level = parseLevel(formatJson(member(json, "level", JsonValue::Kind::object, name)), name).level;
   rescued.entry.title = rescued.level.text->title.empty() ? tr("Untitled") : tr(rescued.level.text->title);
-  const auto seen = timeIn(json, "fileSeen"), now = timeOf(rescued.path);
-  rescued.entry.fileIsNewer = seen && now && *seen != *now;
-  if (rescued.entry.fileIsNewer) rescued.fileTime = now;
-}
-
-// Its file holds the same.
-bool isSaved(const UnsavedLevel& unsaved) {
-  if (unsaved.path.empty()) return false;
-  try {
-    Session session;
-    session.open(unsaved.path);
-    return session.level() == unsaved.level;
-  } catch (const Error&) {
-    return false;
-  }
+  const auto seen = timeIn(json, "fileSeen");
+  const LevelNow now = lookAt(rescued.path, readNow);
+  rescued.entry.fileIsNewer = seen && now.time && *seen != *now.time;
+  if (rescued.entry.fileIsNewer) rescued.fileTime = now.time;
+  return now.level == rescued.level;
 }
 
 fs::path lockOf(fs::path file) {
@@ -153,7 +175,6 @@ void removeLeftLocks(const fs::path& folder) {
 
 // A name that no other window has, living or dead.
 RecoveryFile freshFile(const fs::path& folder) {
-  removeLeftTemporaries(folder);
   std::string why;
   for (int i = 0; i < 100; ++i) {
     const std::string number = i == 0 ? "" : fmt::format("-{}", i);
@@ -165,6 +186,17 @@ RecoveryFile freshFile(const fs::path& folder) {
     why = lock.problem();
   }
   throw Error("cannot write: " + why, folder.string());
+}
+
+// What the file is to hold, and the file where there is none yet; nothing when the level could not be read again: the last
+// one that can be is worth more.
+std::optional<std::string> makeBytes(const fs::path& folder, RecoveryFile& kept,
+                                     const UnsavedLevel& unsaved) {
+  const std::string level = formatLevel(unsaved.level);
+  if (!canBeRead(level)) return std::nullopt;
+  makeFolder(folder);
+  if (!kept.lock.isInPlace()) kept = freshFile(folder);
+  return format(unsaved, level);
 }
 
 // The clock may have gone back; the times are what tells which one is the newest.
@@ -187,15 +219,17 @@ void RecoveryFile::remove() {
   lock.removeFile();
 }
 
-void keepUnsaved(const fs::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved, bool isOpen) {
-  const std::string level = formatLevel(unsaved.level);
-  if (!canBeRead(level)) return;  // the last one that can be is worth more
-  makeFolder(folder);
-  if (!kept.lock.isInPlace()) kept = freshFile(folder);
-  std::string bytes = format(unsaved, level);
-  if (isOpen) putUnsaved(std::make_unique<UnsavedBytes>(absolutePath(kept.file), bytes));
-  writeFile(kept.file, bytes);
-  makeNewest(kept.file);
+void prepareUnsaved(const fs::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved) {
+  if (auto bytes = makeBytes(folder, kept, unsaved)) {
+    putUnsaved(std::make_unique<UnsavedBytes>(absolutePath(kept.file), std::move(*bytes)));
+  }
+}
+
+void keepUnsaved(const fs::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved) {
+  if (const auto bytes = makeBytes(folder, kept, unsaved)) {
+    writeFile(kept.file, *bytes);
+    makeNewest(kept.file);
+  }
 }
 
 std::vector<Rescued> findRescued(const fs::path& folder) {
@@ -210,8 +244,7 @@ std::vector<Rescued> findRescued(const fs::path& folder) {
       continue;
     }
     try {
-      read(rescued);
-      if (isSaved(rescued)) {
+      if (read(rescued)) {
         rescued.remove();
         continue;
       }

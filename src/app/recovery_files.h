@@ -39,10 +39,10 @@ struct UnsavedLevel {
 };
 
 /// Writes the level into the file, which is made where there is none or where somebody has removed it, with the folder.
-/// Of a level that could not be read again nothing is written. `isOpen`: its bytes are put where a crash finds them
-/// (unsaved_bytes.h). Throws Error; what was kept before is still there then.
-void keepUnsaved(const std::filesystem::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved,
-                 bool isOpen);
+/// Of a level that could not be read again nothing is written. Throws Error; what was kept before is still there then.
+void keepUnsaved(const std::filesystem::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved);
+/// Puts what keepUnsaved() would write where a crash finds it (unsaved_bytes.h), and writes nothing.
+void prepareUnsaved(const std::filesystem::path& folder, RecoveryFile& kept, const UnsavedLevel& unsaved);
 
 /// Something that was rescued, and what is in it.
 struct Rescued : RecoveryFile, UnsavedLevel {

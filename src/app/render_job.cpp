@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/language.h"
+#include "base/text.h"
 #include "panels/file_flow.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
@@ -22,13 +21,13 @@ bool RenderJob::update(const LevelResult& result, UiState& ui) {
     worker_.cancel();
     dialog.message = tr("Cancelled.");
   }
-  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && image_) {
+  if (const auto path = std::exchange(ui.requests.saveRender, std::nullopt); path && picture_) {
     dialog.saving = path->string();
     save(dialog.saving);
   }
   bool changed = false;
-  if (auto image = results_->take()) {
-    image_ = std::move(*image);
+  if (auto picture = results_->take()) {
+    picture_ = std::move(*picture);
     changed = true;
   }
   if (auto failure = worker_.takeFailure()) {
@@ -43,6 +42,11 @@ bool RenderJob::update(const LevelResult& result, UiState& ui) {
   return changed;
 }
 
+std::vector<std::filesystem::path> RenderJob::unwritten(double seconds) {
+  const std::vector<std::string> files = saves_.undone(seconds);
+  return {files.begin(), files.end()};
+}
+
 // Refined for the picture's own size first, as `anamorph render` does.
 void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
   Level level = result.level;
@@ -55,7 +59,7 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
         const auto finished = finishLevel(level, mesh, 0, {{}, progress.token});
         if (!finished) return;
         auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);
-        if (image) results->put(std::make_shared<const Image>(std::move(*image)));
+        if (image) results->put(std::make_shared<const Bitmap>(toBitmap(*image)));
       });
 }
 
@@ -81,9 +85,9 @@ bool RenderJob::updateSaves(UiState& ui) {
 }
 
 void RenderJob::save(const std::string& file) {
-  saves_.add(file, [file, image = image_, messages = messages_] {
-    savePng(file, *image);
-    messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));
+  saves_.add(file, [file, picture = picture_, messages = messages_] {
+    const std::vector<std::string> lost = savePng(file, *picture);
+    messages->put(withRemarks(trFormat("{}: {} x {} pixels", file, picture->width, picture->height), lost));
   });
 }
 

@@ -2,9 +2,11 @@
 // it. Pictures are saved by a queue: the next one that is rendered does not cancel that.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/write_queue.h"
 #include "edit/live_updater.h"
@@ -21,17 +23,20 @@ class RenderJob {
   /// dialog shows has changed.
   bool update(const LevelResult& result, UiState& ui);
 
+  /// Waits so long for the pictures that are being saved; the files of those that are not then.
+  std::vector<std::filesystem::path> unwritten(double seconds);
+
   /// The last finished picture; null before the first.
-  const std::shared_ptr<const Image>& image() const { return image_; }
+  const std::shared_ptr<const Bitmap>& picture() const { return picture_; }
 
  private:
   void start(const LevelResult& result, const RenderDialog& dialog);
   void save(const std::string& file);
   bool updateSaves(UiState& ui);
 
-  std::shared_ptr<const Image> image_;
-  std::shared_ptr<Mailbox<std::shared_ptr<const Image>>> results_ =
-      std::make_shared<Mailbox<std::shared_ptr<const Image>>>();
+  std::shared_ptr<const Bitmap> picture_;
+  std::shared_ptr<Mailbox<std::shared_ptr<const Bitmap>>> results_ =
+      std::make_shared<Mailbox<std::shared_ptr<const Bitmap>>>();
   std::shared_ptr<Mailbox<std::string>> messages_ = std::make_shared<Mailbox<std::string>>();
   WriteQueue saves_;
   Worker worker_;  // last: its jobs use the mailboxes

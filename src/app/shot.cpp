@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -75,20 +76,42 @@ Bitmap withoutAlpha(const Bitmap& bitmap) {
   return opaque;
 }
 
-Bitmap takeShot(Gui& gui, const ShotRequest& request) {
+Bitmap compose(const ShotLayers& layers) {
+  Bitmap picture = layers.panels;
+  const Bitmap& view = layers.view;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      std::uint8_t* above = &picture.bytes[4 * (static_cast<std::size_t>(y) * picture.width + x)];
+      const int vx = x - layers.viewX, vy = y - layers.viewY;
+      const bool seen = vx >= 0 && vy >= 0 && vx < view.width && vy < view.height;
+      const std::uint8_t nothing[] = {0, 0, 0, static_cast<std::uint8_t>(layers.transparent ? 0 : 255)};
+      const std::uint8_t* below =
+          seen ? &view.bytes[4 * (static_cast<std::size_t>(vy) * view.width + vx)] : nothing;
+      const int through = 255 - above[3];
+      for (int c = 0; c < 4; ++c) {
+        const int light = c == 3 ? below[3] : (below[c] * below[3] + 127) / 255;
+        above[c] = static_cast<std::uint8_t>(std::min(255, above[c] + (light * through + 127) / 255));
+      }
+    }
+  }
+  if (!layers.transparent) return withoutAlpha(picture);
+  divideByAlpha(picture);
+  return picture;
+}
+
+Shot::Shot(Gui& gui, const ShotRequest& request) {
   const Undisturbed guard(gui);
   const int factor = std::clamp(request.factor, static_cast<int>(limits::shotFactor.min),
                                 static_cast<int>(limits::shotFactor.max));
   const int width = guard.width() * factor, height = guard.height() * factor, most = Texture::maxSize();
   if (std::max(width, height) > most) {
     throw Error(
-        fmt::format(fmt::runtime(tr("A picture of {} x {} pixels is too large for this graphics card, which "
-                                    "can make {}. Choose a smaller one.")),
-                    width, height, most));
+        trFormat("A picture of {} x {} pixels is too large for this graphics card, which "
+                 "can make {}. Choose a smaller one.",
+                 width, height, most));
   }
-  const Framebuffer target(width, height, {TexelFormat::rgba8});
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {static_cast<float>(target.width()), static_cast<float>(target.height())};
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.DisplayFramebufferScale = {1, 1};
   io.MousePos = {-FLT_MAX, -FLT_MAX};
   gui.setShotFactor(factor);
@@ -96,18 +119,34 @@ Bitmap takeShot(Gui& gui, const ShotRequest& request) {
   gui.ui().bare = request.transparent && !request.panels;
   gui.ui().exporting.open = false;
   gui.ui().panelsHidden = !request.panels;
-  // What is larger need not be as smooth.
-  const ViewQuality finest = QualityGovernor::best(),
-                    best{1, finest.samplesNow, finest.samples / (factor == 3 ? 4 : factor)};
-  constexpr int layoutFrames = 4, mostFrames = 200;
-  for (int i = 0; i < layoutFrames || (i < mostFrames && !gui.viewComplete()); ++i) {
-    target.bind();
-    gui.frame(1e-4, i + 1 < layoutFrames ? nullptr : &best);
-  }
-  Bitmap bitmap{target.width(), target.height(), 4, target.readPixels()};
-  if (!request.transparent) return withoutAlpha(bitmap);
-  divideByAlpha(bitmap);
-  return bitmap;
+  const Framebuffer target(width, height, {TexelFormat::rgba8});
+  constexpr int layoutFrames = 4;
+  for (int i = 1; i < layoutFrames; ++i) gui.layOut();
+  target.bind();
+  input_ = gui.drawWithoutView();
+  const Rect& view = gui.ui().layout.view;
+  layers_ = {{width, height, 4, target.readPixels()},
+             {},
+             static_cast<int>(std::lround(view.x)),
+             static_cast<int>(std::lround(view.y)),
+             request.transparent};
+  samples_ =
+      QualityGovernor::best().samples / (factor == 3 ? 4 : factor);  // large ones need not be as smooth
+}
+
+void Shot::draw(double milliseconds) {
+  viewport_.draw(input_, 1, 1, samples_, milliseconds);
+}
+
+ShotLayers Shot::takeLayers() {
+  layers_.view = viewport_.readBack();
+  return std::move(layers_);
+}
+
+Bitmap takeShot(Gui& gui, const ShotRequest& request) {
+  Shot shot(gui, request);
+  while (!shot.complete()) shot.draw(Piecework::noHurry);
+  return compose(shot.takeLayers());
 }
 
 }  // namespace anamorph

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/folder.h"
 #include "level/json_object.h"
+#include "level/limits.h"
 #include "panels/ui_state.h"
 
 namespace anamorph {
@@ -18,16 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
-fs::path recentFile(const fs::path& folder) {
-  return folder / "recent.json";
-}
-
 // Behind those that are there already.
 void append(const JsonValue& json, const std::string& key, Paths& paths, std::size_t most) {
   const JsonValue* list = findMember(json, key);
   if (!list) return;
   for (const JsonValue& item : list->items) {
-    const bool usable = item.kind == JsonValue::Kind::string && fs::path(item.text).is_absolute();
+    const bool usable = item.kind == JsonValue::Kind::string && item.text.size() <= limits::mostPathBytes &&
+                        fs::path(item.text).is_absolute();
     const bool known = std::find(paths.begin(), paths.end(), item.text) != paths.end();
     if (usable && !known && paths.size() < most) paths.emplace_back(item.text);
   }
@@ -56,6 +54,10 @@ fs::path stateFolder() {
   const char* state = std::getenv("XDG_STATE_HOME");
   const bool usable = state && *state == '/';  // relative ones are to be ignored, says the standard
   return (usable ? fs::path(state) : homeFolder() / ".local/state") / "anamorph";
+}
+
+fs::path recentFile(const fs::path& folder) {
+  return folder / "recent.json";
 }
 
 RecentFiles loadRecent(const fs::path& folder) {

@@ -20,6 +20,9 @@ struct RecentFiles {
   bool operator==(const RecentFiles&) const = default;
 };
 
+/// Where it keeps recent levels and folders.
+std::filesystem::path recentFile(const std::filesystem::path& folder);
+
 /// Recent levels and folders as they were kept; none where the file is missing or broken.
 RecentFiles loadRecent(const std::filesystem::path& folder);
 

@@ -41,18 +41,33 @@ JsonValue poseJson(const ViewPose& pose) {
       .value();
 }
 
+JsonValue countsJson(const InputCounts& counts) {
+  return JsonObject()
+      .add("keysDown", counts.keysDown)
+      .add("keysUp", counts.keysUp)
+      .add("characters", counts.characters)
+      .add("buttonsDown", counts.buttonsDown)
+      .add("buttonsUp", counts.buttonsUp)
+      .add("wheel", counts.wheel)
+      .add("motions", counts.motions)
+      .value();
+}
+
 }  // namespace
 
-std::string stateLine(Gui& gui, std::size_t frame) {
+std::string stateLine(Gui& gui, std::size_t frame, const InputCounts& seen, bool resting) {
   const Editor& editor = gui.editor();
   const UiState& ui = gui.ui();
   const Level& level = editor.session.level();
   const LevelResult& result = editor.updater.result();
   const double iou =
       result.match ? result.match->report.silhouetteIou : std::numeric_limits<double>::quiet_NaN();
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const ImVec2 size = ImGui::GetIO().DisplaySize, mouse = ImGui::GetIO().MousePos;
   return compactJson(JsonObject()
                          .add("frame", frame)
+                         .add("resting", resting)
+                         .add("input", countsJson(seen))
+                         .add("mouse", listOf({mouse.x, mouse.y}))
                          .add("level", editor.session.path().string())
                          .add("eye", level.camera.eye)
                          .add("target", level.camera.target)
@@ -92,6 +107,7 @@ std::string stateLine(Gui& gui, std::size_t frame) {
                          .add("message", editor.message)
                          .add("title", windowTitle(editor.session))
                          .add("job", editor.job.busy())
+                         .add("opening", editor.opening.busy())
                          .add("dialog", std::string(openDialog(ui)))
                          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
                          .add("typed", ui.browser.text)
@@ -105,9 +121,14 @@ StateLog::StateLog(const std::filesystem::path& path) {
   if (!file_) throw Error("cannot be written", path.string());
 }
 
-void StateLog::add(Gui& gui) {
+void StateLog::add(Gui& gui, const InputCounts& seen) {
   if (!file_.is_open()) return;
-  file_ << stateLine(gui, ++frames_) << '\n' << std::flush;
+  seen_ = seen;
+  file_ << stateLine(gui, ++frames_, seen_) << '\n' << std::flush;
+}
+
+void StateLog::addRest(Gui& gui) {
+  if (file_.is_open()) file_ << stateLine(gui, frames_, seen_, true) << '\n' << std::flush;
 }
 
 }  // namespace anamorph

@@ -1,9 +1,9 @@
 // The newest unsaved level as bytes, and the file that they belong into, for a program that is about to end: whoever
-// handles its last signal may neither allocate nor wait. Autosave puts them here whenever it has made them, before it
-// writes them; a program that ends badly takes them and writes them once more, in case the disk has not got them yet:
+// handles its last signal may neither allocate nor wait. Autosave puts them here after every change, long before it
+// writes them; a program that ends badly takes them and writes them (crash_handler.h):
 //
-//   autosave's worker:   putUnsaved(made)    putUnsaved(made)    putUnsaved(nullptr): all is saved
-//   a crash:                                  takeUnsaved(): nobody else has or frees what it gives
+//   autosave:   putUnsaved(made)    putUnsaved(made)    putUnsaved(nullptr): all is saved
+//   a crash:                         takeUnsaved(): nobody else has or frees what it gives
 //
 // `file` is a recovery file whose lock goes with the process, so the next start offers it (recovery_files.h).
 #pragma once

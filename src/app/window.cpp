@@ -1,38 +1,34 @@
 #include "app/window.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include <fmt/format.h>
 #include <glad/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include "app/crash_handler.h"
 #include "app/gui.h"
 #include "app/key_taps.h"
 #include "app/preferences.h"
-#include "app/shot.h"
+#include "app/quit.h"
+#include "app/shot_job.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
 #include "app/window_files.h"
 #include "base/error.h"
-#include "base/folder.h"
-#include "base/language.h"
+#include "cli/print.h"
 #include "edit/lesson_run.h"
 #include "edit/session.h"
 #include "gl/load_gl.h"
 #include "level/limits.h"
 #include "panels/actions.h"
 #include "panels/file_flow.h"
-#include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
@@ -115,18 +111,6 @@ int keyByItsCap(int key, int code) {
   return name[0] - 'a' + 'A';
 }
 
-// Where F12 puts its pictures: beside the user's other pictures, never over an older one.
-std::filesystem::path freshScreenshotPath() {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  fs::path folder = homeFolder();
-  if (fs::is_directory(folder / "Pictures", ignored)) folder /= "Pictures";
-  for (int i = 1;; ++i) {
-    fs::path path = folder / fmt::format("anamorph-{:03}.png", i);
-    if (!fs::exists(path, ignored)) return path;
-  }
-}
-
 class MainWindow {
  public:
   MainWindow(const WindowOptions& options, Preferences preferences)
@@ -135,6 +119,7 @@ class MainWindow {
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
+    shotJob_ = std::make_unique<ShotJob>([] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
     files_ =
@@ -147,6 +132,7 @@ class MainWindow {
   ~MainWindow() {
     ImGui_ImplGlfw_Shutdown();
     files_.reset();
+    shotJob_.reset();
     gui_.reset();  // while the context lives
   }
   MainWindow(const MainWindow&) = delete;
@@ -165,9 +151,19 @@ class MainWindow {
       }
       drawFrame();
     }
+    quit();
   }
 
  private:
+  // What is not written in a moment is told of; whatever still runs or hangs must not keep anybody waiting.
+  void quit() {
+    glfwHideWindow(handle_.get());
+    endProgramIn(0.45);
+    reportUnwritten(gui_->unwritten(0.1));
+    if (const auto file = shotJob_->unwritten(0.05)) reportUnwritten({*file});
+    reportUnwritten(files_->unwritten(0.15));
+  }
+
   // Nothing is drawn, but what is not saved has to be kept.
   void waitUnseen() {
     const double now = glfwGetTime();
@@ -180,8 +176,8 @@ class MainWindow {
   void waitForWork() {
     const double now = glfwGetTime();
     if (gui_->unfinished()) {
-      const bool onlyWorker =
-          gui_->viewComplete() && !isMoving(gui_->editor()) && now - lastEvent_ > livelySeconds;
+      const bool onlyWorker = gui_->viewComplete() && !gui_->ui().shot.running && !isMoving(gui_->editor()) &&
+                              now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);
     }
@@ -192,6 +188,7 @@ class MainWindow {
     }
     if (now - lastEvent_ < livelySeconds) return glfwWaitEventsTimeout(livelyStep);
     if (const auto due = files_->secondsUntilDue(now)) return glfwWaitEventsTimeout(*due + 0.01);
+    stateLog_.addRest(*gui_);
     glfwWaitEvents();
   }
 
@@ -201,14 +198,17 @@ class MainWindow {
     float scaleX = 1, scaleY = 1;
     glfwGetWindowContentScale(handle_.get(), &scaleX, &scaleY);
     gui_->setScreenScale(std::clamp(std::round(4.0 * scaleX) / 4, limits::uiScale.min, limits::uiScale.max));
+    const InputCounts seen = received_;
     ImGui_ImplGlfw_NewFrame();
     gui_->frame(seconds);
     for (const auto& [key, code, modifiers] : keyTaps_.takeReleases()) {
       ImGui_ImplGlfw_KeyCallback(handle_.get(), key, code, GLFW_RELEASE, modifiers);
+      ++received_.keysUp;
     }
     glfwSwapBuffers(handle_.get());
+    shotJob_->update(*gui_);
     if (files_->update(now)) wakeUp();
-    stateLog_.add(*gui_);
+    stateLog_.add(*gui_, seen);
     serveRequests();
     showTitle();
   }
@@ -217,10 +217,6 @@ class MainWindow {
     UiRequests& requests = gui_->ui().requests;
     if (std::exchange(requests.quit, false)) glfwSetWindowShouldClose(handle_.get(), GLFW_TRUE);
     if (std::exchange(requests.toggleFullscreen, false)) toggleFullscreen();
-    // A large picture takes a while in which nothing else is drawn, so first it is said.
-    if (const auto shot = std::exchange(saidShot_, std::nullopt)) takePicture(*shot);
-    saidShot_ = std::exchange(requests.shot, std::nullopt);
-    if (saidShot_) say(tr("The picture is being drawn..."));
   }
 
   void start(const WindowOptions& options) {
@@ -230,28 +226,6 @@ class MainWindow {
     if (options.present) perform(Action::present, editor, gui_->ui());
     if (options.tour && !options.present && !gui_->ui().preferences.tourSeen) {
       perform(Action::tour, editor, gui_->ui());
-    }
-  }
-
-  // In the window that asked, or in the status line.
-  void say(const std::string& text) {
-    ExportDialog& dialog = gui_->ui().exporting;
-    if (dialog.open) {
-      dialog.say(text);
-    } else {
-      gui_->editor().message = text;
-    }
-    wakeUp();
-  }
-
-  void takePicture(const ShotRequest& request) {
-    try {
-      const std::filesystem::path path = request.path.empty() ? freshScreenshotPath() : request.path;
-      savePng(path, takeShot(*gui_, request));
-      say(fmt::format(fmt::runtime(tr("Written: {}")), path.string()));
-      if (!request.path.empty()) ++gui_->editor().exported;
-    } catch (const Error& error) {
-      say(error.what());
     }
   }
 
@@ -280,6 +254,11 @@ class MainWindow {
     framesOwed_ = 3;  // Dear ImGui lays out in two
   }
 
+  void receive(std::size_t InputCounts::*kind) {
+    ++(received_.*kind);
+    wakeUp();
+  }
+
   static MainWindow& of(GLFWwindow* window) {
     return *static_cast<MainWindow*>(glfwGetWindowUserPointer(window));
   }
@@ -292,6 +271,8 @@ class MainWindow {
       self.wakeUp();
       if (action == GLFW_PRESS) self.keyTaps_.press(key);
       if (action == GLFW_RELEASE && self.keyTaps_.waits({key, code, modifiers})) return;
+      if (action != GLFW_REPEAT)
+        self.receive(action == GLFW_PRESS ? &InputCounts::keysDown : &InputCounts::keysUp);
       ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
       if (action == GLFW_PRESS || action == GLFW_REPEAT) {
         self.gui_->key(keyByItsCap(key, code),
@@ -301,17 +282,18 @@ class MainWindow {
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
       ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
-      of(w).wakeUp();
+      of(w).receive(action == GLFW_PRESS ? &InputCounts::buttonsDown : &InputCounts::buttonsUp);
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
       ImGui_ImplGlfw_ScrollCallback(w, x, y);
-      of(w).wakeUp();
+      of(w).receive(&InputCounts::wheel);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) {
       ImGui_ImplGlfw_CharCallback(w, c);
-      of(w).wakeUp();
+      of(w).receive(&InputCounts::characters);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).wakeUp(); });
+    glfwSetCursorPosCallback(window,
+                             [](GLFWwindow* w, double, double) { of(w).receive(&InputCounts::motions); });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
       ImGui_ImplGlfw_CursorEnterCallback(w, entered);
       of(w).wakeUp();
@@ -336,25 +318,27 @@ class MainWindow {
   StateLog stateLog_;
   WindowHandle handle_;
   std::unique_ptr<Gui> gui_;
+  std::unique_ptr<ShotJob> shotJob_;
   std::unique_ptr<WindowFiles> files_;
   std::string title_;
   int place_[4] = {60, 60, 1280, 800};  // of the window, while it fills the screen
   double lastFrame_ = 0, lastEvent_ = 0;
   int framesOwed_ = 3;
-  std::optional<ShotRequest> saidShot_;  // that is taken after the next frame
   KeyTaps keyTaps_;
+  InputCounts received_;
 };
 
 }  // namespace
 
 void runWindow(const WindowOptions& options) {
+  installCrashHandler();
   const Glfw glfw;
   std::string message;
   Preferences preferences = loadPreferences(preferencesPath(), message);
   if (options.theme) preferences.theme = *options.theme;
   if (!options.language.empty()) preferences.language = options.language;
   if (options.uiScale) preferences.uiScale = *options.uiScale;
-  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  if (!message.empty()) printLine(stderr, message);
   MainWindow(options, preferences).run();
 }
 

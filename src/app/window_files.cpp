@@ -6,6 +6,7 @@
 
 #include "app/preferences.h"
 #include "app/progress_file.h"
+#include "base/error.h"
 #include "base/language.h"
 
 namespace anamorph {
@@ -30,6 +31,7 @@ WindowFiles::WindowFiles(std::filesystem::path folder, std::filesystem::path pre
       progress_(loadProgress(progressFile(folder_), problem_)),
       preferences_(gui.ui().preferences),
       recent_(loadRecent(folder_)),
+      reading_(wake),
       autosave_(folder_, wake),
       queue_(wake) {
   UiState& ui = gui_.ui();
@@ -48,35 +50,73 @@ WindowFiles::~WindowFiles() {
 }
 
 bool WindowFiles::update(double now) {
-  if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given);
+  if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given, now);
+  const bool restored = restoring_ && restoreWhenRead(now);
   Editor& editor = gui_.editor();
   if (!ImGui::IsAnyMouseDown()) keepChanges(false);
-  const std::optional<std::string> failure = takeFailure(),
-                                   news = autosave_.update(editor.session, editor.leftLevels, now);
-  if (news || failure) editor.message = news ? *news : *failure;
-  return news || failure;
+  const std::optional<std::string> news = takeNews(),
+                                   unkept = autosave_.update(editor.session, editor.leftLevels, now);
+  if (news || unkept) editor.message = unkept ? *unkept : *news;
+  return restored || news || unkept;
 }
 
-void WindowFiles::answer(const RecoveryAnswer& answer) {
-  std::vector<RecoveryEntry>& offered = gui_.ui().recovery.entries;
-  if (answer.index >= rescued_.size()) return;
-  const bool discards = answer.kind == RecoveryAnswer::Kind::discard, more = discards && rescued_.size() > 1;
-  if (discards) rescued_[answer.index].remove();
-  if (answer.kind == RecoveryAnswer::Kind::restore) restore(rescued_[answer.index]);
-  if (answer.kind != RecoveryAnswer::Kind::later) {
-    rescued_.erase(rescued_.begin() + static_cast<std::ptrdiff_t>(answer.index));
-    offered.erase(offered.begin() + static_cast<std::ptrdiff_t>(answer.index));
+std::vector<std::filesystem::path> WindowFiles::unwritten(double seconds) {
+  keepChanges(true);
+  const std::vector<std::string> files = queue_.undone(seconds);
+  return {files.begin(), files.end()};
+}
+
+void WindowFiles::answer(const RecoveryAnswer& answer, double now) {
+  constexpr double patience = 5;  // seconds for a disk that does not answer
+  using Kind = RecoveryAnswer::Kind;
+  if (answer.index >= rescued_.size() || (restoring_ && answer.kind == Kind::restore)) return;
+  reading_.cancel();
+  restoring_.reset();
+  if (answer.kind == Kind::restore) {
+    restoring_ = Restoring{answer.index, now + patience};
+    const std::filesystem::path& path = rescued_[answer.index].path;
+    if (!path.empty()) reading_.start(path);
+    return;
   }
-  if (more) return;
-  // The others stay where they are, for the next start: a second one would replace what was just restored.
+  if (answer.kind == Kind::discard) {
+    rescued_[answer.index].remove();
+    forget(answer.index);
+    if (!rescued_.empty()) return;
+  }
+  stopOffering();
+}
+
+// Returns whether it was done.
+bool WindowFiles::restoreWhenRead(double now) {
+  std::optional<LevelFile> file;
+  try {
+    file = reading_.take();
+  } catch (const Error&) {
+    // The level that was rescued needs no file.
+  }
+  if (reading_.busy() && now < restoring_->until) return false;
+  reading_.cancel();
+  restore(rescued_[std::exchange(restoring_, std::nullopt)->index], std::move(file));
+  stopOffering();
+  return true;
+}
+
+void WindowFiles::forget(std::size_t index) {
+  std::vector<RecoveryEntry>& offered = gui_.ui().recovery.entries;
+  rescued_.erase(rescued_.begin() + static_cast<std::ptrdiff_t>(index));
+  offered.erase(offered.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+// What is left stays where it is, for the next start: a second one would replace what was just restored.
+void WindowFiles::stopOffering() {
   rescued_.clear();
-  offered.clear();
+  gui_.ui().recovery.entries.clear();
 }
 
 // What it was rescued from is what it is kept in from now on.
-void WindowFiles::restore(Rescued& rescued) {
+void WindowFiles::restore(Rescued& rescued, std::optional<LevelFile> file) {
   Editor& editor = gui_.editor();
-  editor.session.recover(rescued.path, rescued.level, rescued.fileTime);
+  editor.session.recover(rescued.path, std::move(file), rescued.level, rescued.fileTime);
   lookAfresh(editor);
   autosave_.adopt(std::move(rescued));
   editor.message = tr("Restored. It is not saved yet.");
@@ -85,32 +125,31 @@ void WindowFiles::restore(Rescued& rescued) {
 // `again`: what has failed before is tried once more.
 void WindowFiles::keepChanges(bool again) {
   const UiState& ui = gui_.ui();
-  keep("preferences", preferences_, ui.preferences, again,
-       [path = preferencesFile_](const Preferences& before, const Preferences& now) {
-         savePreferences(path, before, now);
+  keep(preferencesFile_, preferences_, ui.preferences, again, savePreferences);
+  keep(progressFile(folder_), progress_, gui_.editor().progress, again, saveProgress);
+  keep(recentFile(folder_), recent_, recentOf(ui), again,
+       [folder = folder_](const auto&, const RecentFiles&, const RecentFiles& now) {
+         saveRecent(folder, now);
+         return std::vector<std::string>();
        });
-  keep("progress", progress_, gui_.editor().progress, again,
-       [path = progressFile(folder_)](const LessonProgress& before, const LessonProgress& now) {
-         saveProgress(path, before, now);
-       });
-  keep("recent files", recent_, recentOf(ui), again,
-       [folder = folder_](const RecentFiles&, const RecentFiles& now) { saveRecent(folder, now); });
 }
 
 template <typename T, typename Save>
-void WindowFiles::keep(const char* name, Filed<T>& filed, const T& now, bool again, const Save& save) {
-  if (filed.asked == now && !again) return;
+void WindowFiles::keep(const std::filesystem::path& file, Filed<T>& filed, const T& now, bool again,
+                       const Save& save) {
+  const bool failed = !failures_[file.string()].empty();
+  if (filed.asked == now && !(again && failed)) return;
   filed.asked = now;
-  queue_.add(name, [kept = filed.kept, now, save] {
+  queue_.add(file.string(), [file, kept = filed.kept, now, save, warnings = warnings_] {
     if (*kept == now) return;
-    save(*kept, now);
+    for (const std::string& warning : save(file, *kept, now)) warnings->put(warning);
     *kept = now;
   });
 }
 
-// Once for each reason: it is tried again with the next change, and may fail again.
-std::optional<std::string> WindowFiles::takeFailure() {
-  std::optional<std::string> news;
+// Failures once for each reason: it is tried again with the next change, and may fail again.
+std::optional<std::string> WindowFiles::takeNews() {
+  std::optional<std::string> news = warnings_->take();
   for (const WriteQueue::Outcome& outcome : queue_.takeOutcomes()) {
     std::string& said = failures_[outcome.name];
     if (!outcome.failure.empty() && outcome.failure != said) news = outcome.failure;

@@ -15,6 +15,7 @@
 #include "app/gui.h"
 #include "app/state_folder.h"
 #include "app/write_queue.h"
+#include "edit/open_job.h"
 
 namespace anamorph {
 
@@ -33,10 +34,19 @@ class WindowFiles {
   /// After every frame; `now` in seconds of a clock that never goes back. Returns whether there is something new to be
   /// shown.
   bool update(double now);
+  /// At the end: keeps what is not kept yet and waits so long for it; the files that are not written then.
+  std::vector<std::filesystem::path> unwritten(double seconds);
   /// When update() wants to be called though nothing happens, in seconds.
-  std::optional<double> secondsUntilDue(double now) const { return autosave_.secondsUntilDue(now); }
+  std::optional<double> secondsUntilDue(double now) const {
+    return restoring_ ? std::optional(0.1) : autosave_.secondsUntilDue(now);
+  }
 
  private:
+  /// Whose level's file is being read before.
+  struct Restoring {
+    std::size_t index;
+    double until;  ///< then it is done without
+  };
   /// A value that is kept in a file.
   template <typename T>
   struct Filed {
@@ -45,12 +55,15 @@ class WindowFiles {
     std::shared_ptr<T> kept;  // that it has; the queue's jobs have it
   };
 
-  void answer(const RecoveryAnswer& answer);
-  void restore(Rescued& rescued);
+  void answer(const RecoveryAnswer& answer, double now);
+  bool restoreWhenRead(double now);
+  void restore(Rescued& rescued, std::optional<LevelFile> file);
+  void forget(std::size_t index);
+  void stopOffering();
   void keepChanges(bool again);
   template <typename T, typename Save>
-  void keep(const char* name, Filed<T>& filed, const T& now, bool again, const Save& save);
-  std::optional<std::string> takeFailure();
+  void keep(const std::filesystem::path& file, Filed<T>& filed, const T& now, bool again, const Save& save);
+  std::optional<std::string> takeNews();
 
   std::filesystem::path folder_, preferencesFile_;
   Gui& gui_;
@@ -59,7 +72,10 @@ class WindowFiles {
   Filed<LessonProgress> progress_;
   Filed<Preferences> preferences_;
   Filed<RecentFiles> recent_;
-  std::map<std::string, std::string> failures_;  // that were said, by the names of the jobs
+  std::map<std::string, std::string> failures_;  // that were said, by the files
+  std::shared_ptr<Mailbox<std::string>> warnings_ = std::make_shared<Mailbox<std::string>>();
+  OpenJob reading_;
+  std::optional<Restoring> restoring_;
   Autosave autosave_;
   WriteQueue queue_;
 };

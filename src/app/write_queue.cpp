@@ -6,6 +6,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -35,7 +36,8 @@ struct WriteQueue::State {
   mutable std::mutex mutex;
   std::condition_variable changed;
   std::deque<Named> waiting;
-  bool running = false, waking = false, ending = false;
+  std::optional<std::string> running;  // its name
+  bool waking = false, ending = false;
   std::vector<Outcome> outcomes;
 
   bool idle() const { return waiting.empty() && !running; }
@@ -46,12 +48,12 @@ struct WriteQueue::State {
       if (waiting.empty()) return;
       Named next = std::move(waiting.front());
       waiting.pop_front();
-      running = true;
+      running = next.name;
       lock.unlock();
       Outcome outcome{next.name, failureOf(next.job)};
       next.job = nullptr;  // frees what it holds before anybody is told
       lock.lock();
-      running = false;
+      running.reset();
       outcomes.push_back(std::move(outcome));
       changed.notify_all();
       if (ending || !wake) continue;
@@ -108,6 +110,18 @@ bool WriteQueue::finish(double seconds) {
   std::unique_lock<std::mutex> lock(state_->mutex);
   return state_->changed.wait_for(lock, std::chrono::duration<double>(seconds),
                                   [this] { return state_->idle(); });
+}
+
+std::vector<std::string> WriteQueue::undone(double seconds) {
+  finish(seconds);
+  const std::lock_guard<std::mutex> lock(state_->mutex);
+  std::vector<std::string> names;
+  if (state_->running) names.push_back(*state_->running);
+  for (const Named& job : state_->waiting) names.push_back(job.name);
+  for (const Outcome& outcome : state_->outcomes) {
+    if (!outcome.failure.empty()) names.push_back(outcome.name);
+  }
+  return names;
 }
 
 }  // namespace anamorph

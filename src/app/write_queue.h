@@ -39,6 +39,9 @@ class WriteQueue {
   std::vector<Outcome> takeOutcomes();
   /// Waits until all is done, at most `seconds`. Returns whether it is.
   bool finish(double seconds);
+  /// The same; returns the names of the jobs that are not done then, and of those that have failed since takeOutcomes()
+  /// was called last.
+  std::vector<std::string> undone(double seconds);
 
  private:
   struct State;

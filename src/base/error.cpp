@@ -2,8 +2,12 @@
 
 #include <utility>
 
+#include "base/text.h"
+
 namespace anamorph {
 namespace {
+
+constexpr std::size_t longestPlace = 300;  // bytes; the keys of a JSON pointer may be as long as their file
 
 std::string join(const std::string& file, const std::string& where, const std::string& message) {
   std::string text;
@@ -16,9 +20,9 @@ std::string join(const std::string& file, const std::string& where, const std::s
 }  // namespace
 
 Error::Error(std::string messageText, std::string fileName, std::string place)
-    : std::runtime_error(join(fileName, place, messageText)),
+    : std::runtime_error(join(fileName, shortened(place, longestPlace), messageText)),
       message(std::move(messageText)),
       file(std::move(fileName)),
-      where(std::move(place)) {}
+      where(shortened(std::move(place), longestPlace)) {}
 
 }  // namespace anamorph

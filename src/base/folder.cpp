@@ -1,10 +1,16 @@
 #include "base/folder.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/retried.h"
 
 namespace anamorph {
 namespace {
@@ -61,10 +67,26 @@ FolderListing listFolder(const fs::path& folder) {
   return listing;
 }
 
-void makeFolder(const std::filesystem::path& folder) {
+void makeFolder(const fs::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  if (folder.empty() || fs::is_directory(folder, failure)) return;
+  makeFolder(folder.parent_path());
+  fs::create_directory(folder, failure);
   if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
+  if (!syncFolder(folder.parent_path())) {
+    throw Error(std::string("cannot make the folder: ") + std::strerror(errno), folder.string());
+  }
+}
+
+bool syncFolder(const fs::path& folder) {
+  const char* name = folder.empty() ? "." : folder.c_str();
+  const int file = retried([&] { return ::open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
+  if (file < 0) return errno == EACCES;
+  const bool synced = retried([&] { return ::fsync(file); }) == 0 || errno == EINVAL || errno == ENOTSUP;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  return synced;
 }
 
 std::string lowerCase(std::string text) {

@@ -1,4 +1,4 @@
-// What is in a folder, as a person wants to see it.
+// What is in a folder, as a person wants to see it; folders are made here, too.
 #pragma once
 
 #include <filesystem>
@@ -26,8 +26,13 @@ FolderListing listFolder(const std::filesystem::path& folder);
 /// The order of names in a listing.
 bool comesBefore(const std::string& a, const std::string& b);
 
-/// Makes the folder, and those above it, where there are none. Throws Error.
+/// Makes the folder, and those above it, where there are none; what was made outlives a power cut. Throws Error.
 void makeFolder(const std::filesystem::path& folder);
+
+/// From its return on what was made, renamed and removed in the folder (an empty path: the working folder) outlives a
+/// power cut. False, and errno, when the disk does not take it. A folder that cannot be flushed by its nature (one that
+/// may not be read, some network file systems) is no fault.
+[[nodiscard]] bool syncFolder(const std::filesystem::path& folder);
 
 /// $HOME, else the root.
 std::filesystem::path homeFolder();

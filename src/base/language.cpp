@@ -24,4 +24,13 @@ std::string tr(const std::string& english) {
   return tr(english.c_str());
 }
 
+std::string formatTranslated(fmt::string_view english, fmt::format_args arguments) {
+  const std::string text(english.data(), english.size());
+  try {
+    return fmt::vformat(tr(text), arguments);
+  } catch (const fmt::format_error&) {
+    return fmt::vformat(english, arguments);
+  }
+}
+
 }  // namespace anamorph

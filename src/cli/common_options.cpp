@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "cli/print.h"
 
 namespace anamorph {
 namespace {
@@ -70,7 +71,7 @@ void addSizeOption(CLI::App& command, std::pair<int, int>& size) {
 }
 
 void sayMessage(const CommonOptions& options, const std::string& text) {
-  if (!options.quiet) fmt::print(stderr, "{}\n", text);
+  if (!options.quiet) printLine(stderr, text);
 }
 
 void sayWarnings(const CommonOptions& options, const std::vector<std::string>& warnings) {
@@ -93,7 +94,7 @@ ProgressBar::ProgressBar(const CommonOptions& options, std::string what)
 }
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) fmt::print(stderr, "\r{:60}\r", "");
+  if (drawn_) printText(stderr, fmt::format("\r{:60}\r", ""));
 }
 
 void ProgressBar::draw(double fraction) {
@@ -101,7 +102,8 @@ void ProgressBar::draw(double fraction) {
   if (now - startSeconds_ < 1 || now - drawnSeconds_ < 0.1) return;
   constexpr int width = 30;
   const int filled = static_cast<int>(fraction * width);
-  fmt::print(stderr, "\r{} [{:#<{}}{:<{}}] {:3.0f} %", what_, "", filled, "", width - filled, 100 * fraction);
+  printText(stderr, fmt::format("\r{} [{:#<{}}{:<{}}] {:3.0f} %", what_, "", filled, "", width - filled,
+                                100 * fraction));
   drawnSeconds_ = now;
   drawn_ = true;
 }

@@ -23,13 +23,20 @@ std::string checkTolerance(std::string& text) {
   return problem.empty() ? problem : "expected off or " + problem.substr(std::string("expected ").size());
 }
 
+LoadedMesh loadModel(const std::string& name, const MeshLimits& limits) {
+  if (!isStandardInput(name)) return loadMesh(name, limits);
+  const FileBytes bytes = readStandardInput(limits.maxBytes, MeshLimits::bytesHelp);
+  return readMesh(bytes.view(), standardInputName, limits);
+}
+
 std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const CommonOptions& common,
                                             const std::string& levelPath, bool isScene, Level& level) {
-  Mesh model = loadMesh(options.model, common.meshLimits());
-  if (isScene || options.unitize) return placeOriginal(model, options.unitize, level.original.placement);
-  const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits());
+  LoadedMesh model = loadModel(options.model, common.meshLimits());
+  sayWarnings(common, model.warnings);
+  if (isScene || options.unitize) return placeOriginal(model.mesh, options.unitize, level.original.placement);
+  const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits()).mesh;
   const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
-  return std::make_shared<const Mesh>(fitInto(std::move(model), boundingBox(placed->positions)));
+  return std::make_shared<const Mesh>(fitInto(std::move(model.mesh), boundingBox(placed->positions)));
 }
 
 void applyOptions(const InputOptions& options, Level& level) {
@@ -44,9 +51,11 @@ void applyOptions(const InputOptions& options, Level& level) {
 
 void addInputOptions(CLI::App& command, InputOptions& options) {
   command
-      .add_option("FILE", options.file, "A level (a file, or the name of an installed one) or a thesis scene")
+      .add_option("FILE", options.file,
+                  "A level (a file, the name of an installed one, or - for standard input) or a thesis scene")
       ->required();
-  command.add_option("MODEL", options.model, "An OBJ, STL or PLY mesh that takes the place of the original");
+  command.add_option("MODEL", options.model,
+                     "An OBJ, STL or PLY mesh, or -, that takes the place of the original");
   command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
       ->check(numberIn(limits::depthScale.level));
   command
@@ -60,16 +69,43 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
   command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");
 }
 
-Input loadInput(const InputOptions& options, const CommonOptions& common) {
+bool isStandardInput(const std::string& name) {
+  return name == "-";
+}
+
+void checkInput(const std::string& name) {
+  std::error_code ignored;
+  if (!std::filesystem::is_fifo(name, ignored)) return;
+  throw Error("expected a file, got a pipe; name it -, and let standard input come from it", name);
+}
+
+std::vector<std::filesystem::path> filesRead(const std::string& file, const Level& level,
+                                             const std::string& model) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : {file, model}) {
+    if (!name.empty()) files.push_back(isStandardInput(name) ? "/dev/stdin" : name);
+  }
+  if (auto mesh = meshFileOf(level, file)) files.push_back(std::move(*mesh));
+  return files;
+}
+
+Input loadInput(const InputOptions& options, const CommonOptions& common, std::span<const Output> outputs) {
   const double start = secondsNow();
-  if (isMeshFile(options.file)) {
+  if (isModelFile(options.file)) {
     throw UsageError(options.file +
                      " is a mesh: name a level or a scene first, then the mesh, for example: "
                      "anamorph match 2-cylinder " +
                      options.file);
   }
-  const std::string path = findLevel(options.file).string();
-  LoadedLevel loaded = loadLevel(path);
+  const bool piped = isStandardInput(options.file);
+  if (piped && isStandardInput(options.model))
+    throw UsageError("-: expected one file from standard input, got two");
+  for (const std::string& name : {options.file, options.model}) checkInput(name);
+  const std::string path = piped ? standardInputName : findLevel(options.file).string();
+  LoadedLevel loaded =
+      piped ? parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName) : loadLevel(path);
+  checkOutputs(filesRead(piped ? options.file : path, loaded.level, options.model), outputs,
+               common.noClobber);
   sayWarnings(common, loaded.warnings);
   Input input{path, std::move(loaded.level), nullptr, 0};
   if (loaded.isThesisScene && options.model.empty()) {
@@ -83,8 +119,9 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
     input.original = replaceOriginal(options, common, path, loaded.isThesisScene, input.level);
   } else {
     const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
+    sayWarnings(common, own.warnings);
     input.original =
-        placeOriginal(*own, input.level.original.unitize || options.unitize, input.level.original.placement);
+        placeOriginal(*own.mesh, input.level.original.unitize || options.unitize, input.level.original.placement);
   }
   applyOptions(options, input.level);
   if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();
@@ -113,10 +150,6 @@ Image drawInput(const LevelResult& finished, PictureKind kind, const ImageReques
                 const Match* match, const CommonOptions& common) {
   const ProgressBar bar(common, "rendering");
   return *makePicture(finished, kind, request, match, bar.progress());
-}
-
-void checkOutput(const std::string& path) {
-  AtomicFile(std::filesystem::path(path));
 }
 
 }  // namespace anamorph

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "anamorphosis/contour.h"
 #include "cli/commands.h"
 #include "cli/input.h"
+#include "cli/print.h"
 #include "cli/report.h"
 
 namespace anamorph {
@@ -15,18 +17,23 @@ struct MatchOptions {
 };
 
 void printReport(const MatchReport& report, const StatusCounts& counts) {
-  fmt::print("match               {}\n", matchGradeName(gradeOf(report)));
-  fmt::print("silhouette IoU      {:.5f}\n", report.silhouetteIou);
-  if (report.comparedPixels > 0) {
-    fmt::print("correspondence      mean {:.3f} px, p99 {:.3f} px, max {:.3f} px\n", report.meanPx,
-               report.p99Px, report.maxPx);
-  } else {
-    fmt::print("correspondence      no pixel shows both\n");
-  }
-  fmt::print("triangle agreement  {:.5f}\n", report.triangleAgreement);
-  fmt::print("hidden share        {:.5f}\n", report.hiddenShare);
-  fmt::print("missed share        {:.5f}\n", report.missedShare);
-  fmt::print("status              {}\n", statusSentence(counts));
+  const auto line = [](const char* name, const std::string& value) {
+    printLine(stdout, fmt::format("{:<19} {}", name, value));
+  };
+  line("match", matchGradeName(gradeOf(report)));
+  if (const auto problem = findMatchProblem(report)) line("", *problem);
+  line("outline", report.contourPx < farthestContour ? fmt::format("{:.2f} px", report.contourPx)
+                                                     : fmt::format("{:g} px or more", farthestContour));
+  line("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou));
+  line("correspondence", report.comparedPixels > 0
+                             ? fmt::format("mean {:.3f} px, p99 {:.3f} px, max {:.3f} px", report.meanPx,
+                                           report.p99Px, report.maxPx)
+                             : "no pixel shows both");
+  line("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement));
+  line("hidden share", fmt::format("{:.5f}", report.hiddenShare));
+  line("missed share", fmt::format("{:.5f}", report.missedShare));
+  line("extra share", fmt::format("{:.5f}", report.extraShare));
+  line("status", statusSentence(counts));
 }
 
 void match(const MatchOptions& options, const CommonOptions& common) {

@@ -1,11 +1,11 @@
 #include "cli/report.h"
 
-#include <fmt/format.h>
+#include "cli/print.h"
 
 namespace anamorph {
 
 void printJson(const JsonValue& value) {
-  fmt::print("{}", formatJson(value));
+  printText(stdout, formatJson(value));
 }
 
 }  // namespace anamorph

@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "base/check.h"
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/print.h"
 #include "cli/usage_error.h"
 #include "level/level_library.h"
 
@@ -72,7 +71,7 @@ int parseAndRun(CLI::App& app, Arguments arguments) {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // the help or the version was asked for
-    fmt::print(stderr, "{} (the option -h explains)\n", error.what());
+    printLine(stderr, error.what() + std::string(" (the option -h explains)"));
     return wrongUsage;
   }
   flushResults();
@@ -100,19 +99,20 @@ int runCommand(int argc, char** argv, const MoreCommands& more) {
     checkCommandName(app, arguments);
     return parseAndRun(app, std::move(arguments));
   } catch (const UsageError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    printLine(stderr, error.what());
     return wrongUsage;
   } catch (const Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    printLine(stderr, error.what());
     return dataFault;
   } catch (const std::system_error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    const bool noThread = error.code() == std::errc::resource_unavailable_try_again;
+    printLine(stderr, noThread ? "not enough memory for this: no thread can be started" : error.what());
     return dataFault;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "not enough memory for this\n");
+    printLine(stderr, "not enough memory for this");
     return dataFault;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "a fault in the program, please report it: {}\n", error.what());
+    printLine(stderr, std::string("a fault in the program, please report it: ") + error.what());
     return programFault;
   }
 }

@@ -217,7 +217,7 @@ Level GizmoDrag::applyTurn(double angle, double snap) {
   const int axis = axisOf(handle_);
   const char* about = axis < 3 ? axisNames[axis] : tr("the line of sight");
   const char* local = axis < 3 && !start_.frame.global() ? tr("local ") : "";
-  text_ = fmt::format(fmt::runtime(tr("{:.1f}° about {}{}")), degrees(angle) + 0.0, local, about);
+  text_ = trFormat("{:.1f}° about {}{}", degrees(angle) + 0.0, local, about);
   return rotated(start_.level, start_.selection, start_.frame.origin, handleAxis(), angle);
 }
 
@@ -231,8 +231,7 @@ Level GizmoDrag::applyScale(double factor, double snap) {
     factors[i] = factor;
     names += axisNames[i];
   }
-  text_ = names.size() == 3 ? fmt::format(fmt::runtime(tr("scale {:.2f}")), factor)
-                            : fmt::format(fmt::runtime(tr("scale {} {:.2f}")), names, factor);
+  text_ = names.size() == 3 ? trFormat("scale {:.2f}", factor) : trFormat("scale {} {:.2f}", names, factor);
   return scaled(start_.level, start_.selection, start_.frame.origin, factors);
 }
 

@@ -1,11 +1,17 @@
 #include "edit/level_files.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
-#include "level/json.h"
+#include "base/language.h"
+#include "geometry/obj_writer.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "level/limits.h"
 
 namespace anamorph {
 namespace {
@@ -14,6 +20,23 @@ namespace fs = std::filesystem;
 
 fs::path folderOf(const fs::path& levelPath) {
   return levelPath.empty() ? fs::path() : cleanPath(levelPath).parent_path();
+}
+
+bool isInside(const FileShape& mesh) {
+  return !mesh.obj->empty();
+}
+
+// The mesh that is in a file of its own, if the original is one.
+template <typename AnyLevel>
+auto findMeshFile(AnyLevel& level) {
+  auto* mesh = std::get_if<FileShape>(&level.original.shape);
+  return mesh && !isInside(*mesh) ? mesh : nullptr;
+}
+
+// Whether there is a way from the folder to the file that does not go through the root.
+bool haveFolderInCommon(const fs::path& file, const fs::path& folder) {
+  const auto common = std::mismatch(file.begin(), file.end(), folder.begin(), folder.end()).first;
+  return std::distance(file.begin(), common) > 1;
 }
 
 }  // namespace
@@ -37,31 +60,60 @@ bool isInstalledLevel(const fs::path& path) {
 
 std::string meshNameFor(const fs::path& mesh, const fs::path& levelPath) {
   const fs::path whole = cleanPath(mesh), folder = folderOf(levelPath);
-  if (folder.empty()) return whole.string();
-  const fs::path relative = whole.lexically_relative(folder);
-  const bool below = !relative.empty() && *relative.begin() != "..";
-  return below ? relative.string() : whole.string();
+  if (!haveFolderInCommon(whole, folder)) return whole.string();
+  return whole.lexically_relative(folder).string();
 }
 
 Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
-  auto* mesh = std::get_if<FileShape>(&level.original.shape);
+  FileShape* mesh = findMeshFile(level);
   const bool stays =
       !mesh || mesh->path.empty() || (from.empty() == to.empty() && folderOf(from) == folderOf(to));
   if (!stays) mesh->path = meshNameFor(modelPath(*mesh, from), to);
   return level;
 }
 
-std::string levelAsText(const Level& level, const fs::path& path) {
-  return compactJson(parseJson(formatLevel(withMeshFrom(level, path, {})), "the level"));
+std::optional<fs::path> findMissingMesh(const Level& level, const fs::path& levelPath) {
+  const FileShape* mesh = findMeshFile(level);
+  if (!mesh) return std::nullopt;
+  const fs::path file = modelPath(*mesh, levelPath);
+  std::error_code failure;
+  return fs::exists(file, failure) ? std::nullopt : std::optional(file);
 }
 
-Level levelFromText(const std::string& text, const fs::path& path) {
-  constexpr const char* name = "the text on the clipboard";
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw Error("expected a level, got nothing", name);
-  LoadedLevel loaded = parseLevel(text, name);
-  if (loaded.isThesisScene) throw Error("expected a level, got a scene of the thesis", name);
-  return withMeshFrom(std::move(loaded.level), {}, path);
+std::string levelAsText(const Level& level, const fs::path& path) {
+  Level sent = level;
+  if (auto* mesh = std::get_if<FileShape>(&sent.original.shape)) {
+    const fs::path named = mesh->path;
+    const fs::path relative = path.empty() || isInside(*mesh)
+                                  ? fs::path()
+                                  : cleanPath(modelPath(*mesh, path)).lexically_relative(folderOf(path));
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    if (below || named.has_filename()) mesh->path = (below ? relative : named.filename()).string();
+  }
+  return formatSentLevel(sent);
+}
+
+Level withMeshInside(Level level, const Mesh& mesh) {
+  auto& file = std::get<FileShape>(level.original.shape);
+  std::string obj = formatObj(mesh);
+  if (obj.size() > limits::mostInsideBytes) {
+    throw Error(
+        trFormat("{} has {} kB as text, and at most {} kB can be inside a level. Copy the "
+                 "level without it, and send its file, too.",
+                 fs::path(file.path).filename().string(), obj.size() / 1000, limits::mostInsideBytes / 1000));
+  }
+  file.obj = std::move(obj);
+  return level;
+}
+
+SentLevel levelFromText(const std::string& text, const Level& open, const fs::path& path) {
+  SentLevel sent = readSentLevel(text, "the text on the clipboard");
+  if (const auto missing = findMissingMesh(sent.level, path)) {
+    const auto* known = std::get_if<FileShape>(&open.original.shape);
+    if (known && fs::path(known->path).filename() == missing->filename())
+      std::get<FileShape>(sent.level.original.shape) = *known;
+  }
+  return sent;
 }
 
 }  // namespace anamorph

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
-#include "level/level.h"
+#include "geometry/mesh.h"
+#include "level/sent_level.h"
 
 namespace anamorph {
 
@@ -16,18 +18,28 @@ std::filesystem::path cleanPath(const std::filesystem::path& file);
 /// Whether the file is one of those installed with the program, which nobody's work replaces.
 bool isInstalledLevel(const std::filesystem::path& path);
 
-/// How a level in the file `levelPath` names a mesh: relative to the level's folder where the mesh lies in or
-/// below it, else by its whole path; always for a level without a file.
+/// How a level in the file `levelPath` names a mesh: relative to the level's folder, so that both can be moved together;
+/// by its whole path where the two have no folder in common, and for a level without a file.
 std::string meshNameFor(const std::filesystem::path& mesh, const std::filesystem::path& levelPath);
 
 /// The level of the file `from` as it has to be in the file `to`, to find the same mesh. Nothing changes
 /// within a folder. Either path may be empty: a level without a file.
 Level withMeshFrom(Level level, const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// The level of the file `path` as one line of JSON that means the same everywhere on this machine.
+/// The mesh file that a level in the file `levelPath` names and that is not there; nothing when all is there.
+std::optional<std::filesystem::path> findMissingMesh(const Level& level,
+                                                     const std::filesystem::path& levelPath);
+
+/// The level of the file `path` as text to be sent. Of a mesh's place it says what is below the level's folder, of others
+/// only the file's name: the sender's folders are nobody's business.
 std::string levelAsText(const Level& level, const std::filesystem::path& path);
 
-/// The level in a text, as it has to be in the file `path`. Throws Error for a text that is no level.
-Level levelFromText(const std::string& text, const std::filesystem::path& path);
+/// The level with `mesh`, the one that its original's file has, inside. Throws Error when that is larger than a level may
+/// hold.
+Level withMeshInside(Level level, const Mesh& mesh);
+
+/// The level in a text, as it has to be in the file `path`, where the level `open` is. A mesh that is not there is taken
+/// to be the one of `open` that has the same name. Throws Error for a text that is no level.
+SentLevel levelFromText(const std::string& text, const Level& open, const std::filesystem::path& path);
 
 }  // namespace anamorph

@@ -16,10 +16,11 @@
 
 namespace anamorph {
 
-/// The original (`placed`: in scene coordinates) scaled by one factor about the middle of its box, as large
-/// as it may be while the vertex ray of every vertex meets the mirror and goes on, less 2 %. Nothing when no
-/// size will do, because the middle itself is not behind the mirror.
-std::optional<Level> originalFittedToMirror(const Level& level, const PointArray& placed);
+/// The original (`placed`: in scene coordinates) scaled by one factor about the middle of its box, as large as it may
+/// be while every vertex ray meets the mirror and goes on, and nothing of the reflection is hidden or missed; less 2 %.
+/// The level itself when nothing larger is as good as it is. Nothing when no size will do, or when cancelled.
+std::optional<Level> originalFittedToMirror(const Level& level, std::shared_ptr<const Mesh> placed,
+                                            int threads = 1, const Progress& progress = {});
 
 /// The eye turned upwards around the middle of the original, at the same distance, to the smallest height
 /// where the sculpture hides nothing of its reflection and the mirror misses no more of it than before; found
@@ -28,10 +29,13 @@ std::optional<Level> originalFittedToMirror(const Level& level, const PointArray
 std::optional<Level> eyeLifted(const Level& level, std::shared_ptr<const Mesh> placed, int threads = 1,
                                const Progress& progress = {});
 
-/// Of a small image, as eyeLifted() has it: whether the level can be computed, and what is hidden and missed.
+/// Of a small image, as the search has it: whether the level can be computed and there is something to judge, and
+/// what is hidden and missed.
 struct CoarseView {
   bool sound = false;
   double hiddenShare = 0, missedShare = 0;
+
+  bool clear() const { return sound && hiddenShare == 0 && missedShare == 0; }
 };
 CoarseView coarseView(const Level& level, std::shared_ptr<const Mesh> placed, int size, int threads = 1,
                       const Progress& progress = {});

@@ -41,7 +41,10 @@ LiveUpdater::LiveUpdater(std::function<void()> wake, int threads)
       worker_(std::move(wake)) {}
 
 bool LiveUpdater::large() const {
-  return result_.shape && result_.shape->positions.size() > liveVertexLimit;
+  const std::size_t most = liveVerticesPerThread * static_cast<std::size_t>(frameThreads_);
+  const auto& sculpture = baseSculpture_.sculpture;
+  return (result_.shape && result_.shape->positions.size() > most) ||
+         (sculpture && sculpture->mesh.positions.size() > most);
 }
 
 bool LiveUpdater::update(const Session& session, const UpdateOptions& options) {
@@ -81,8 +84,12 @@ void LiveUpdater::openLevel(const Session& session) {
   results_ = std::make_shared<Mailbox<Evaluated>>();
   requested_.reset();
   cancelled_ = false;
+  forget(session.level());
+}
+
+void LiveUpdater::forget(const Level& level) {
   result_ = {};
-  result_.level = session.level();
+  result_.level = level;
   of_ = {};
   liveOriginal_.reset();
   liveShape_.reset();
@@ -102,8 +109,8 @@ LiveUpdater::PictureSubject LiveUpdater::originalSubject() const {
 }
 LiveUpdater::MatchSubject LiveUpdater::matchSubject() const {
   const LevelScene& level = result_.level;
-  return {result_.original, result_.sculpture,  level.optic,
-          level.camera,     level.grid.columns, level.grid.rows};
+  return {result_.original,   result_.sculpture, level.optic, level.camera,
+          level.grid.columns, level.grid.rows,   level.ground};
 }
 
 // What is not current is a new start for the live step, which follows at once.
@@ -121,8 +128,9 @@ bool LiveUpdater::takeResults(const Session& session) {
     }
   }
   if (const auto failure = worker_.takeFailure()) {
+    if (!(of_.shape == session.level().original.shape))
+      forget(session.level());  // what is shown is another's
     result_.problem = *failure;
-    result_.refined = false;
     result_.complete = true;
     changed = true;
   }

@@ -71,13 +71,14 @@ class LiveUpdater {
 
   /// The longer side of pictures and match while something moves, in pixels.
   static constexpr int coarseSize = 40;
-  /// More vertices than this do not follow in the frame but on the worker.
-  static constexpr std::size_t liveVertexLimit = 200'000;
+  /// Original and sculpture with more vertices than this for each thread of a frame follow on the worker.
+  static constexpr std::size_t liveVerticesPerThread = 25'000;
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void openLevel(const Session& session);
+  void forget(const Level& level);
   bool takeResults(const Session& session);
   void take(LevelResult evaluated);
   void noteSculpture();
@@ -106,6 +107,7 @@ class LiveUpdater {
     Optic optic;
     Camera camera;
     int columns, rows;
+    GroundSettings ground;
     bool operator==(const MatchSubject&) const = default;
   };
   struct SculptureSubject {

@@ -1,5 +1,6 @@
 #include "edit/replacements.h"
 
+#include <cmath>
 #include <utility>
 
 #include "edit/level_edits.h"
@@ -82,8 +83,19 @@ Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box) 
   if (auto* filling = std::get_if<BoxShape>(&shape); filling && !box.empty()) {
     filling->size = glm::clamp(box.size(), Vector(limits::lengths.min), Vector(limits::lengths.max));
   }
-  const auto mesh = loadOriginal(shape, {});
+  const auto mesh = loadOriginal(shape, {}).mesh;
   return withOriginal(level, std::move(shape), *mesh, box);
+}
+
+Box roomInSight(const Level& level) {
+  const Camera& camera = level.camera;
+  const double distance = glm::length(camera.target - camera.eye);
+  const Vector half(0.5 * distance * std::tan(0.5 * radians(camera.fovDegrees)));
+  return {camera.target - half, camera.target + half};
+}
+
+Level withStandIn(const Level& level) {
+  return withBuiltInOriginal(level, OriginalShape(PawnShape()).index(), roomInSight(level));
 }
 
 }  // namespace anamorph

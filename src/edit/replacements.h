@@ -26,4 +26,10 @@ Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, co
 /// The same for a built-in shape, whose mesh can be made at once.
 Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box);
 
+/// Room for an original whose own size nobody knows: where the RT camera looks, half as high as its picture.
+Box roomInSight(const Level& level);
+
+/// A pawn in that room.
+Level withStandIn(const Level& level);
+
 }  // namespace anamorph

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/file.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/history_bytes.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
@@ -33,13 +33,17 @@ std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::pat
 
 }  // namespace
 
-void Session::open(const std::filesystem::path& path) {
+LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token) {
   const auto written = timeOf(path);
-  LoadedLevel loaded = loadLevel(path);
+  return {path, loadLevel(path, token), written};
+}
+
+void Session::open(LevelFile file) {
+  LoadedLevel& loaded = file.loaded;
   if (loaded.isThesisScene) fillScene(loaded.level);
-  begin(path, std::move(loaded.level));
+  begin(std::move(file.path), std::move(loaded.level));
   isThesisScene_ = loaded.isThesisScene;
-  written_ = written;
+  written_ = file.written;
   warnings_ = std::move(loaded.warnings);
 }
 
@@ -65,30 +69,29 @@ void Session::startNew(Level level) {
   begin({}, std::move(level));
 }
 
-void Session::recover(const std::filesystem::path& file, Level level,
+void Session::recover(const std::filesystem::path& path, std::optional<LevelFile> file, Level level,
                       std::optional<std::filesystem::file_time_type> known) {
-  try {
-    if (file.empty()) throw Error("no file");
-    open(file);
+  if (file) {
+    open(std::move(*file));
     if (written_ && known) written_ = known;
-  } catch (const Error&) {
-    begin(file, Level());
+  } else {
+    begin(path, Level());
     written_ = std::filesystem::file_time_type::min();
   }
   edit(std::move(level));
 }
 
-void Session::saveTo(const std::filesystem::path& path) {
+std::vector<std::string> Session::saveTo(const std::filesystem::path& path) {
   finishChange();
   const auto moved = [&](const Level& level) { return withMeshFrom(level, path_, path); };
   Level level = moved(level_);
-  saveLevel(path, level);
-  removeLeftTemporaries(path.parent_path());
+  std::vector<std::string> lost = saveLevel(path, level);
   for (Level& step : undo_) step = moved(step);
   for (Level& step : redo_) step = moved(step);
   level_ = saved_ = std::move(level);
   setPath(path);
   written_ = timeOf(path);
+  return lost;
 }
 
 bool Session::isFileChanged() const {
@@ -152,7 +155,7 @@ void Session::reset() {
 
 std::string windowTitle(const Session& session) {
   const std::filesystem::path& path = session.path();
-  std::string title = tr(session.level().text->title);
+  std::string title = shortened(tr(session.level().text->title), 300);
   if (!path.empty() && !session.isInstalled()) {
     const std::string file = path.filename().string();
     title = title.empty() ? file : title + " (" + file + ")";

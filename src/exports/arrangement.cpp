@@ -91,11 +91,17 @@ std::optional<Sight> findSight(const LevelResult& finished, const Ray& ray) {
   return found;
 }
 
+std::shared_ptr<const Bvh> plateInScene(const Arrangement& arrangement) {
+  if (!arrangement.plate) return nullptr;
+  const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
+  return std::make_shared<const Bvh>(mapPoints(arrangement.plate->mesh.positions, toScene),
+                                     arrangement.plate->mesh.triangles);
+}
+
 double fractionHiddenByPlate(const LevelResult& finished, const Arrangement& arrangement) {
   if (!arrangement.plate) return 0;
   constexpr int size = 160;  // pixels
-  const auto toScene = [&](const Point& p) { return p / arrangement.millimetresPerUnit; };
-  const Bvh plate(mapPoints(arrangement.plate->mesh.positions, toScene), arrangement.plate->mesh.triangles);
+  const auto plate = plateInScene(arrangement);
   const Level& level = finished.level;
   const auto [width, height] = pictureSize(level.grid, size);
   const Projection projection(level.camera, width, height);
@@ -106,7 +112,7 @@ double fractionHiddenByPlate(const LevelResult& finished, const Arrangement& arr
       const auto sight = findSight(finished, ray);
       if (!sight) continue;
       ++seen;
-      if (standsInTheWay(plate, sight->points)) ++hidden;
+      if (standsInTheWay(*plate, sight->points)) ++hidden;
     }
   }
   return seen > 0 ? double(hidden) / double(seen) : 0;

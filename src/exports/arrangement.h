@@ -8,6 +8,7 @@
 //              eye ---> right
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ struct Arrangement {
 /// Throws Error when the lengths become too large, or when no base plate can be made.
 Arrangement makeArrangement(const LevelResult& finished, double millimetresPerUnit,
                             const std::optional<BasePlateSettings>& plate = {});
+
+/// The base plate in scene units; null without one.
+std::shared_ptr<const Bvh> plateInScene(const Arrangement& arrangement);
 
 /// The share of the image's pixels with a reflection of the sculpture that the base plate hides, seen by the
 /// RT camera: it stands before the mirror, or between mirror and sculpture. 0 without a plate.

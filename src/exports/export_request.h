@@ -19,8 +19,8 @@ enum class ExportKind { sculpture, viewingSheet, rays, matchReport, picture };
 struct ExportRequest {
   ExportKind kind = ExportKind::sculpture;
   std::filesystem::path path;
-  double millimetresPerUnit = 10;              ///< sculpture, sheet, rays
-  std::optional<BasePlateSettings> basePlate;  ///< sculpture, sheet
+  double millimetresPerUnit = 10;              ///< sculpture, sheet, rays, base plate
+  std::optional<BasePlateSettings> basePlate;  ///< sculpture, sheet; match report: what it hides
   Paper paper = Paper::a4;                     ///< sheet
   std::optional<double> sheetScale;            ///< sheet: 1 : this; without: what fits
   std::optional<int> vertexRays = 200;         ///< rays: of so many vertices; nothing: the pixel grid's

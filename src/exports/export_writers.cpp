@@ -27,15 +27,16 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   const double hidden = fractionHiddenByPlate(finished, arrangement);
   if (hidden > hiddenWorthSaying) {
     warnings.push_back(
-        fmt::format(fmt::runtime(tr("the base plate hides {:.1f} % of the reflection: it stands between the "
-                                    "eye and the mirror, or between the mirror and the sculpture")),
-                    100 * hidden));
+        trFormat("the base plate hides {:.1f} % of the reflection: it stands between the "
+                 "eye and the mirror, or between the mirror and the sculpture",
+                 100 * hidden));
   }
   const double below = arrangement.table - arrangement.plate->lowerFace;
   if (below > 1e-9 * arrangement.plate->thickness) {
-    warnings.push_back(fmt::format(fmt::runtime(tr("the base plate's lower face is {:.1f} mm below the "
-                                                   "table: raise the mirror and the eye by as much")),
-                                   below));
+    warnings.push_back(
+        trFormat("the base plate's lower face is {:.1f} mm below the "
+                 "table: raise the mirror and the eye by as much",
+                 below));
   }
   return warnings;
 }
@@ -49,9 +50,8 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
   Mesh& mesh = arrangement.sculpture;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
-  summary.description =
-      fmt::format(fmt::runtime(tr("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm")),
-                  mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
+  summary.description = trFormat("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm",
+                                 mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
   if (arrangement.plate) summary.description += tr(" with its base plate");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
@@ -59,7 +59,7 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
                              shapeName(finished.level.optic.shape()), surfaceName(finished.level.optic),
                              request.millimetresPerUnit);
   if (progress.cancelled()) return std::nullopt;
-  saveMesh(request.path, mesh, file);
+  for (std::string& lost : saveMesh(request.path, mesh, file)) summary.warnings.push_back(std::move(lost));
   return summary;
 }
 
@@ -72,10 +72,11 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const bool pdf = lowerEnding(request.path) == ".pdf";
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{
-      fmt::format(fmt::runtime(tr("viewing sheet, {} at 1:{:g}")), paperName(request.paper), sheet.scale),
+  ExportSummary summary{
+      trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
       findPlateWarnings(finished, arrangement)};
+  for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
+  return summary;
 }
 
 std::optional<ExportSummary> writeRays(const LevelResult& finished, const ExportRequest& request,
@@ -85,20 +86,23 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
       ofVertices ? makeVertexRayObj(finished, *request.vertexRays, request.millimetresPerUnit, progress)
                  : makePixelRayObj(finished, request.millimetresPerUnit, progress);
   if (!text || progress.cancelled()) return std::nullopt;
-  writeFile(request.path, *text);
-  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"), {}};
+  return ExportSummary{tr(ofVertices ? "vertex rays, as lines" : "rays of the pixel grid, as lines"),
+                       writeFile(request.path, *text)};
 }
 
 std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress) {
   const auto [width, height] = pictureSize(finished.level.grid, request.size);
-  const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
+  std::shared_ptr<const Bvh> plate;
+  if (request.basePlate)
+    plate = plateInScene(makeArrangement(finished, request.millimetresPerUnit, request.basePlate));
+  const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4), plate);
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
   if (lowerEnding(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-    writeFile(request.path, formatJson(matchJson(match.report, counts)));
-    return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
+    return ExportSummary{trFormat("match report, {}", grade),
+                         writeFile(request.path, formatJson(matchJson(match.report, counts)))};
   }
   const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
   auto reflection =
@@ -109,8 +113,8 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  writeFile(request.path, page);
-  return ExportSummary{fmt::format(fmt::runtime(tr("match report, {}")), grade), {}};
+  return ExportSummary{trFormat("match report, {}", grade),
+                       writeFile(request.path, page)};
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
@@ -124,8 +128,8 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  savePng(request.path, *image);
-  return ExportSummary{fmt::format(fmt::runtime(tr("{} x {} pixels")), width, height), {}};
+  return ExportSummary{trFormat("{} x {} pixels", width, height),
+                       savePng(request.path, *image)};
 }
 
 }  // namespace anamorph

@@ -79,7 +79,9 @@ std::string figuresTable(const MatchReport& report) {
   const bool compared = report.comparedPixels > 0;
   std::string text = fmt::format("<table>\n<tr><th>{}</th><th>{}</th><th>{}</th><th>{}</th></tr>\n",
                                  tr("figure"), tr("here"), tr("excellent"), tr("what it says"));
-  text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "&ge; 0.995",
+  text += row("outline, 99 %", fmt::format("{:.2f} px", report.contourPx), "&le; 0.5 px",
+              "how far the outlines of both pictures are apart; 99 of 100 points of them are nearer");
+  text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "",
               "pixels that both pictures show, of those that either shows: 1 when the outlines are the same");
   text +=
       row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : std::string(tr("none")),
@@ -94,9 +96,11 @@ std::string figuresTable(const MatchReport& report) {
               "share of pixels in which both pictures show the same part of the original, front and back not "
               "swapped");
   text += row("hidden share", fmt::format("{:.5f}", report.hiddenShare), "0",
-              "of the original's pixels: the sculpture itself stands between eye and mirror");
+              "of the original's pixels: the sculpture itself, the floor or a base plate stands in the way");
   text += row("missed share", fmt::format("{:.5f}", report.missedShare), "0",
               "of the original's pixels: there is no mirror");
+  text += row("extra share", fmt::format("{:.5f}", report.extraShare), "&le; 0.001",
+              "pixels that show the sculpture beside the original, over the original's pixels");
   return text + "</table>\n";
 }
 
@@ -104,10 +108,9 @@ std::string levelSentence(const LevelResult& finished) {
   const Level& level = finished.level;
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
-  return fmt::format(
-      fmt::runtime(
-          tr("A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
-             "triangles; {}.")),
+  return trFormat(
+      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+      "triangles; {}.",
       tr(shapeName(level.optic.shape())), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
       level.sculpture.depthScale, sculpture.mesh.triangles.size(), shownStatus(sculpture.originalStatus));
 }
@@ -129,11 +132,14 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
   }
   return JsonObject()
       .add("size", static_cast<std::size_t>(report.height))
+      .add("originalPixels", report.originalPixels)
+      .add("contourPx", report.contourPx)
       .add("silhouetteIou", report.silhouetteIou)
       .add("correspondencePx", correspondence)
       .add("triangleAgreement", report.triangleAgreement)
       .add("hiddenShare", report.hiddenShare)
       .add("missedShare", report.missedShare)
+      .add("extraShare", report.extraShare)
       .add("grade", std::string(matchGradeName(gradeOf(report))))
       .add("status", statusJson(counts))
       .value();
@@ -141,6 +147,7 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
 
 std::string makeMatchPage(const LevelResult& finished, const MatchReport& report,
                           const MatchPictures& pictures) {
+  const auto problem = findMatchProblem(report);
   const std::string title =
       escapeHtml(tr(finished.level.text->title.empty() ? "Anamorphosis" : finished.level.text->title));
   std::string page = fmt::format(
@@ -149,7 +156,8 @@ std::string makeMatchPage(const LevelResult& finished, const MatchReport& report
       "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n",
       tr("en"), title, tr("match report"), style);
   page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">{}: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
-                      title, tr("match"), tr(matchGradeName(gradeOf(report))), levelSentence(finished));
+                      title, tr("match"), tr(matchGradeName(gradeOf(report))),
+                      levelSentence(finished) + (problem ? " " + *problem + "." : ""));
   page += figure(pictures.reflection, "Reflection",
                  isVisible(finished.level.optic) ? tr("what the eye sees in the mirror")
                                                  : tr("what the eye sees of the sculpture"));
@@ -157,9 +165,9 @@ std::string makeMatchPage(const LevelResult& finished, const MatchReport& report
   page += figure(pictures.difference, "Difference", legend());
   page += "</div>\n" + figuresTable(report);
   page += "<p class=\"small\">" +
-          fmt::format(
-              fmt::runtime(tr("Compared in {} x {} pixels, two rays each: one straight to the original, one "
-                              "by way of the mirror to the sculpture. Made by Anamorph.")),
+          trFormat(
+              "Compared in {} x {} pixels, two rays each: one straight to the original, one "
+              "by way of the mirror to the sculpture. Made by Anamorph.",
               report.width, report.height) +
           "</p>\n</body>\n</html>\n";
   return page;

@@ -32,13 +32,14 @@ std::string placeOf(const Point& p) {
 }
 
 std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
-  std::string text = fmt::format(
-      fmt::runtime(tr("the surface is open: {} no neighbour, so no slicer can tell inside from outside. ")),
-      countOf(check.topology.borderEdges, "edge has", "edges have"));
+  std::string text =
+      trFormat("the surface is open: {} no neighbour, so no slicer can tell inside from outside. ",
+               countOf(check.topology.borderEdges, "edge has", "edges have"));
   if (notMapped > 0) {
-    return text + fmt::format(fmt::runtime(tr("{} of the original did not reach the sculpture: move the "
-                                              "original, the eye or the mirror until all are mapped")),
-                              countOf(notMapped, "vertex", "vertices"));
+    return text + trFormat(
+                      "{} of the original did not reach the sculpture: move the "
+                      "original, the eye or the mirror until all are mapped",
+                      countOf(notMapped, "vertex", "vertices"));
   }
   return text + tr("The original itself is open: close its holes in a mesh editor");
 }
@@ -76,32 +77,32 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
   if (topology.borderEdges > 0) problems.push_back(openSentence(check, notMapped));
   if (topology.crowdedEdges > 0) {
     problems.push_back(
-        fmt::format(fmt::runtime(tr("{} used by three or more triangles: the surface is doubled or branches "
-                                    "there. Remove inner and double faces of the original in a mesh editor")),
-                    countOf(topology.crowdedEdges, "edge is", "edges are")));
+        trFormat("{} used by three or more triangles: the surface is doubled or branches "
+                 "there. Remove inner and double faces of the original in a mesh editor",
+                 countOf(topology.crowdedEdges, "edge is", "edges are")));
   }
   if (topology.turnedEdges > 0) {
-    problems.push_back(fmt::format(fmt::runtime(tr("the triangles on both sides of {} face different ways. "
-                                                   "Let a mesh editor recalculate the original's outside")),
-                                   countOf(topology.turnedEdges, "edge", "edges")));
+    problems.push_back(
+        trFormat("the triangles on both sides of {} face different ways. "
+                 "Let a mesh editor recalculate the original's outside",
+                 countOf(topology.turnedEdges, "edge", "edges")));
   }
   if (topology.pinchedCorners > 0) {
     problems.push_back(
-        fmt::format(fmt::runtime(tr("parts of the surface hang together in {} only, which breaks off. Move "
-                                    "the original's parts apart or into each other")),
-                    countOf(topology.pinchedCorners, "point", "points")));
+        trFormat("parts of the surface hang together in {} only, which breaks off. Move "
+                 "the original's parts apart or into each other",
+                 countOf(topology.pinchedCorners, "point", "points")));
   }
   if (topology.inwardShells > 0) {
-    problems.push_back(fmt::format(
-        fmt::runtime(tr(
-            "{} inside out. Let a mesh editor turn the original's faces around, unless a hollow is meant")),
+    problems.push_back(trFormat(
+        "{} inside out. Let a mesh editor turn the original's faces around, unless a hollow is meant",
         countOf(topology.inwardShells, "closed part is", "closed parts are")));
   }
   if (check.crossings.pairs > 0) {
     const bool own = topology.shells > 1;
-    problems.push_back(fmt::format(
-        fmt::runtime(tr("the surface goes through itself: {} of triangles, the first near {}. {}")),
-        pairsOf(check.crossings), placeOf(*check.crossings.example),
+    problems.push_back(trFormat(
+        "the surface goes through itself: {} of triangles, the first near {}. {}", pairsOf(check.crossings),
+        placeOf(*check.crossings.example),
         tr(own ? "Slicers unite closed parts that overlap; what folds over within one part may come out wrong"
                : "Slicers may fill or leave out what lies between")));
   }
@@ -111,11 +112,11 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
 std::vector<std::string> findPrintHints(const PrintCheck& check) {
   std::vector<std::string> hints;
   if (check.walls.samples > 0 && check.walls.firstPercentile < thinMillimetres) {
-    hints.push_back(fmt::format(
-        fmt::runtime(tr("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} mm: "
-                        "most printers need {:g} mm. More millimetres per unit make it thicker")),
-        check.walls.firstPercentile, placeOf(check.walls.leastAt), std::max(check.walls.least, 0.01),
-        thinMillimetres));
+    hints.push_back(
+        trFormat("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} mm: "
+                 "most printers need {:g} mm. More millimetres per unit make it thicker",
+                 check.walls.firstPercentile, placeOf(check.walls.leastAt), std::max(check.walls.least, 0.01),
+                 thinMillimetres));
   }
   return hints;
 }
@@ -126,32 +127,29 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   std::vector<std::pair<std::string, std::string>> rows;
   const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
   line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
-  line("triangles",
-       fmt::format(fmt::runtime(tr("{} ({} without area), {} vertices, {}")), check.triangles,
-                   check.flatTriangles, check.vertices, countOf(topology.shells, "part", "parts")));
+  line("triangles", trFormat("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
+                             check.vertices, countOf(topology.shells, "part", "parts")));
   line("closed", topology.borderEdges == 0
                      ? tr("yes")
-                     : fmt::format(fmt::runtime(tr("no: {}")),
-                                   countOf(topology.borderEdges, "border edge", "border edges")));
+                     : trFormat("no: {}", countOf(topology.borderEdges, "border edge", "border edges")));
   const std::size_t faults = topology.crowdedEdges + topology.pinchedCorners;
   line("manifold", faults == 0
                        ? tr("yes")
-                       : fmt::format(fmt::runtime(tr("no: {}, {}")),
-                                     countOf(topology.crowdedEdges, "edge of three or more triangles",
-                                             "edges of three or more triangles"),
-                                     countOf(topology.pinchedCorners, "pinched point", "pinched points")));
+                       : trFormat("no: {}, {}",
+                                  countOf(topology.crowdedEdges, "edge of three or more triangles",
+                                          "edges of three or more triangles"),
+                                  countOf(topology.pinchedCorners, "pinched point", "pinched points")));
   line("faces outwards",
        topology.turnedEdges == 0 && topology.inwardShells == 0
            ? tr(topology.borderEdges == 0 ? "yes" : "consistently, as far as it goes")
-           : fmt::format(fmt::runtime(tr("no: {}, {}")),
-                         countOf(topology.turnedEdges, "turned edge", "turned edges"),
-                         countOf(topology.inwardShells, "part inside out", "parts inside out")));
+           : trFormat("no: {}, {}", countOf(topology.turnedEdges, "turned edge", "turned edges"),
+                      countOf(topology.inwardShells, "part inside out", "parts inside out")));
   line("self-intersections", check.crossings.pairs == 0 ? tr("none") : pairsOf(check.crossings));
   if (check.walls.samples > 0) {
-    line("walls", fmt::format(fmt::runtime(tr("99 % thicker than {:.2f} mm; thinnest found {} mm near {}")),
-                              check.walls.firstPercentile,
-                              check.walls.least < 0.01 ? "< 0.01" : fmt::format("{:.2f}", check.walls.least),
-                              placeOf(check.walls.leastAt)));
+    line("walls",
+         trFormat("99 % thicker than {:.2f} mm; thinnest found {} mm near {}", check.walls.firstPercentile,
+                  check.walls.least < 0.01 ? "< 0.01" : fmt::format("{:.2f}", check.walls.least),
+                  placeOf(check.walls.leastAt)));
   }
   if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
   return rows;

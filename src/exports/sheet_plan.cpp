@@ -267,8 +267,7 @@ class Drawing {
   }
 
   void drawEyePlace() {
-    const std::string height =
-        fmt::format(fmt::runtime(tr("{} mm above the table")), formatLength(plan_.eyeHeight));
+    const std::string height = trFormat("{} mm above the table", formatLength(plan_.eyeHeight));
     if (withEye_) {
       const Point2 place = at(plan_.eye);
       const Pen pen{0.3, ink::black, {}};
@@ -282,8 +281,7 @@ class Drawing {
     drawArrow(page_, start, start + Point2(0, 5), Pen{0.3, ink::black, {}});
     drawEye(page_, start + Point2(-6, 2.5), 6);
     write(start + Point2(0, 9),
-          fmt::format(fmt::runtime(tr("eye: {} mm from the cross, ")), formatLength(std::abs(plan_.eye.y))) +
-              height);
+          trFormat("eye: {} mm from the cross, ", formatLength(std::abs(plan_.eye.y))) + height);
   }
 
   void write(const Point2& place, const std::string& text) {

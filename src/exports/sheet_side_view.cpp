@@ -94,9 +94,8 @@ class Drawing {
 
   void draw() {
     drawText(page_,
-             {area_.min + Point2(0, 3),
-              fmt::format(fmt::runtime(tr("Side view, {}, heights above the table")), scaleName(scale_)), 2.8,
-              true, TextAlign::left, false, ink::black});
+             {area_.min + Point2(0, 3), trFormat("Side view, {}, heights above the table", scaleName(scale_)),
+              2.8, true, TextAlign::left, false, ink::black});
     drawTable();
     drawLabels();
     drawThings();

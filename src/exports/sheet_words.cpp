@@ -20,23 +20,21 @@ std::string mm(double millimetres) {
 std::string describeMirror(const Shape& mirror, double bottom) {
   const ShapeWords words = mirror->words(formatLength);
   if (bottom <= nothing) return words.size + words.stance + ".";
-  return words.size + words.stance +
-         fmt::format(fmt::runtime(tr(", its lowest point {} above the table.")), mm(bottom));
+  return words.size + words.stance + trFormat(", its lowest point {} above the table.", mm(bottom));
 }
 
 std::string sculptureText(const Arrangement& arrangement, double bottom, double top) {
   const std::string place = tr("Over its orange outline, ");
   if (!arrangement.plate) {
-    if (bottom <= nothing)
-      return place + fmt::format(fmt::runtime(tr("on the table; it is {} high.")), mm(top));
-    return place + fmt::format(fmt::runtime(tr("its lowest point {} and its highest {} above the table.")),
-                               mm(bottom), mm(top));
+    if (bottom <= nothing) return place + trFormat("on the table; it is {} high.", mm(top));
+    return place + trFormat("its lowest point {} and its highest {} above the table.", mm(bottom), mm(top));
   }
   const double face = arrangement.plate->lowerFace - arrangement.table;
   if (face < -nothing) {
-    return place + fmt::format(fmt::runtime(tr("the lower face of its base plate {} below the table: raise "
-                                               "the mirror and the eye by as much.")),
-                               mm(-face));
+    return place + trFormat(
+                       "the lower face of its base plate {} below the table: raise "
+                       "the mirror and the eye by as much.",
+                       mm(-face));
   }
   return place + tr("its base plate (green) on the table.");
 }
@@ -64,12 +62,10 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
        sculptureText(arrangement, sculpture.min.z - arrangement.table, sculpture.max.z - arrangement.table),
        ink::vermilion});
   const Point2 eye = arrangement.planOf(arrangement.eye);
-  steps.push_back(
-      {tr("Eye"),
-       fmt::format(fmt::runtime(
-                       tr("{} above the table, {} from the cross along the centre line. Look with one eye.")),
-                   mm(arrangement.sideOf(arrangement.eye).y), mm(glm::length(eye))),
-       ink::black});
+  steps.push_back({tr("Eye"),
+                   trFormat("{} above the table, {} from the cross along the centre line. Look with one eye.",
+                            mm(arrangement.sideOf(arrangement.eye).y), mm(glm::length(eye))),
+                   ink::black});
   if (!arrangement.onGround) {
     steps.push_back(
         {tr("Table"), tr("Its height is that of the lowest point of what stands on it."), ink::black});

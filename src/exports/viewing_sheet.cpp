@@ -150,12 +150,11 @@ std::string scaleName(double scale) {
 
 [[noreturn]] void refuse(const SheetPlan& plan, const Layout& layout, Paper paper, double scale) {
   const Point2 size = sizeOnPage(plan, scale, false), room = layout.plan.size();
-  throw Error(fmt::format(
-      fmt::runtime(
-          tr("the viewing sheet at {} needs {:.0f} x {:.0f} mm, and {} has {:.0f} x {:.0f} mm for it: "
-             "choose a smaller scale, larger paper or fewer millimetres per unit")),
-      scaleName(scale), std::ceil(size.x), std::ceil(size.y), paperName(paper), std::floor(room.x),
-      std::floor(room.y)));
+  throw Error(
+      trFormat("the viewing sheet at {} needs {:.0f} x {:.0f} mm, and {} has {:.0f} x {:.0f} mm for it: "
+               "choose a smaller scale, larger paper or fewer millimetres per unit",
+               scaleName(scale), std::ceil(size.x), std::ceil(size.y), paperName(paper), std::floor(room.x),
+               std::floor(room.y)));
 }
 
 void drawHead(Page& page, const Arrangement& arrangement, double scale, Paper paper) {
@@ -165,9 +164,8 @@ void drawHead(Page& page, const Arrangement& arrangement, double scale, Paper pa
   const double width = textWidth(title, titleSize, true);
   const double size = std::max(3.0, titleSize * std::min(1.0, room / width));
   drawText(page, {{margin, margin + 5.5}, title, size, true, TextAlign::left, false, ink::black});
-  const std::string kind =
-      fmt::format(fmt::runtime(tr("Viewing sheet, scale {}, seen from above. {:g} mm per scene unit.")),
-                  scaleName(scale), arrangement.millimetresPerUnit);
+  const std::string kind = trFormat("Viewing sheet, scale {}, seen from above. {:g} mm per scene unit.",
+                                    scaleName(scale), arrangement.millimetresPerUnit);
   drawText(page, {{margin, margin + 11}, kind, 3, false, TextAlign::left, false, ink::grey});
   drawText(page, {{page.width - margin, margin + 11},
                   std::string(paperName(paper)) + ", Anamorph",

@@ -24,8 +24,21 @@ std::string_view takeWord(std::string_view& text);
 /// `text` without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 
-/// The decimal number that `word` is; nothing when it is anything else, such as "nan", or not a finite
-/// double.
+/// Whether the two are the same word when capitals count as small letters.
+bool isKeyword(std::string_view word, std::string_view keyword);
+
+/// `text` without the mark that some programs put in front of UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// A file's text without the byte order mark in front and the padding behind: blanks, 0 bytes and the Ctrl-Z of old
+/// systems.
+std::string_view withoutPadding(std::string_view text);
+
+/// Whether withoutPadding() leaves nothing.
+bool isPadding(std::string_view text);
+
+/// The decimal number that `word` is, also with the D of Fortran for the E; nothing when it is anything else, such
+/// as "nan", or not a finite double.
 std::optional<double> parseNumber(std::string_view word);
 
 /// The number that `word` is when it may be a coordinate: finite and at most maxCoordinate.
@@ -44,17 +57,23 @@ std::string inQuotes(std::string_view text);
 /// inQuotes(), or the words "the end of the file" when there is no text left.
 std::string inQuotesOrEnd(std::string_view text);
 
+/// What to say about a text that was expected to be numbers: empty when it has no decimal comma.
+std::string decimalCommaHint(std::string_view text);
+
 /// "line N" for an offset into a text, N counted from 1.
 std::string lineAt(std::string_view text, std::size_t offset);
 
-/// The lines of a text, one after the other. Ends are \n, \r\n, or \r in a file that has no \n; a \ at the
-/// end of a line continues it on the next; a byte order mark in front is skipped.
+/// The lines of a text, one after the other, without padding. They end in \n, \r\n or \r, also mixed.
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
 
   /// The next line without its end, valid until the next call. False after the last one.
   bool next(std::string_view& line);
+
+  /// The line that next() gave, and those that a \ at its end continues it on. One that begins with a letter is
+  /// no continuation.
+  std::string_view continued(std::string_view line);
 
   /// Where the last line began, counted from 1.
   std::size_t number() const { return number_; }
@@ -63,7 +82,8 @@ class LineReader {
   std::string_view takePhysicalLine();
 
   std::string_view rest_;
-  char end_;
+  char end_ = '\n';
+  bool returnEndsToo_ = false;
   std::size_t number_ = 0;      // of the line that next() gave
   std::size_t linesTaken_ = 0;  // more than number_ when lines were joined
   std::string joined_;

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <optional>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/folder.h"
+#include "geometry/foreign_formats.h"
+#include "geometry/mesh_formats.h"
+#include "geometry/mesh_remarks.h"
 #include "geometry/obj_reader.h"
 #include "geometry/obj_writer.h"
 #include "geometry/ply_reader.h"
@@ -19,19 +24,61 @@
 namespace anamorph {
 namespace {
 
-enum class Format { obj, stl, ply };
+namespace fs = std::filesystem;
 
-std::optional<Format> findFormat(const std::filesystem::path& path) {
-  const std::string ending = lowerEnding(path);
-  if (ending == ".obj") return Format::obj;
-  if (ending == ".stl") return Format::stl;
-  if (ending == ".ply") return Format::ply;
-  return std::nullopt;
+constexpr std::string_view knownEndings = "expected a file name that ends in .obj, .stl or .ply";
+
+// As much of a regular file as tells its format; nothing of another.
+std::string readHead(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return {};
+  std::string head(64 * 1024, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+  return head;
 }
 
-Format formatOf(const std::filesystem::path& path) {
-  if (const auto format = findFormat(path)) return *format;
-  throw Error("expected a file name that ends in .obj, .stl or .ply", path.string());
+std::optional<MeshFormat> formatOfHead(const fs::path& path, std::string_view head) {
+  std::error_code failure;
+  const std::uintmax_t size = fs::file_size(path, failure);
+  return formatByContent(head, failure ? head.size() : static_cast<std::size_t>(size));
+}
+
+// What the file is instead of a mesh, in the words of an Error.
+std::string foreignText(const fs::path& path, std::string_view head) {
+  const auto ending = formatByEnding(path);
+  const ForeignFormat* format = ending ? nullptr : foreignByEnding(path);
+  if (!format) format = foreignByContent(head);
+  if (!format) return {};
+  if (ending) return fmt::format("this is {}, not {}; {}", format->what, nameOf(*ending), format->advice);
+  return fmt::format("{} is not read; {}", format->name, format->advice);
+}
+
+// Before a large file is read for nothing.
+void checkIsMesh(const fs::path& path) {
+  if (formatByEnding(path)) return;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  const bool isPipe = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+  const std::string head = readHead(path);
+  if (isPipe || formatOfHead(path, head)) return;
+  const std::string foreign = foreignText(path, head);
+  throw Error(foreign.empty() ? std::string(knownEndings) : foreign, path.string());
+}
+
+// By the content where that is beyond doubt, else by the ending.
+MeshFormat formatOf(std::string_view bytes, MeshRemarks& remarks) {
+  const auto ending = formatByEnding(remarks.file());
+  const auto content = formatByContent(bytes, bytes.size());
+  if (!content) {
+    if (const std::string foreign = foreignText(remarks.file(), bytes); !foreign.empty())
+      throw Error(foreign, remarks.file());
+    if (!ending) throw Error(std::string(knownEndings), remarks.file());
+  } else if (ending && *ending != *content) {
+    remarks.say({}, fmt::format("this is {}, not {}; read as what it is", nameOf(*content), nameOf(*ending)));
+  }
+  return content ? *content : *ending;
 }
 
 Mesh scaled(Mesh mesh, double scale, const std::string& name) {
@@ -45,49 +92,53 @@ Mesh scaled(Mesh mesh, double scale, const std::string& name) {
   return mesh;
 }
 
-void writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string comment) {
+std::vector<std::string> writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string comment) {
   // A comment may hold a file's name, and a file's name may hold a line break.
   std::replace_if(
       comment.begin(), comment.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  const Format format = formatOf(path);
+  const auto format = formatByEnding(path);
+  if (!format) throw Error(std::string(knownEndings), path.string());
   AtomicFile file(path);
-  if (format == Format::obj) writeObj(file, mesh, comment);
-  if (format == Format::stl) writeStl(file, mesh, comment, path.string());
-  if (format == Format::ply) writePly(file, mesh, comment);
-  file.commit();
+  if (format == MeshFormat::obj) writeObj(file, mesh, comment);
+  if (format == MeshFormat::stl) writeStl(file, mesh, comment, path.string());
+  if (format == MeshFormat::ply) writePly(file, mesh, comment);
+  return file.commit();
 }
 
 }  // namespace
 
-bool isMeshFile(const std::filesystem::path& path) {
-  return findFormat(path).has_value();
+bool isMeshFile(const fs::path& path) {
+  return formatByEnding(path).has_value();
 }
 
-Mesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits) {
-  const Format format = formatOf(name);
+bool isModelFile(const fs::path& path) {
+  if (formatByEnding(path) || foreignByEnding(path)) return true;
+  const std::string head = readHead(path);
+  return formatOfHead(path, head) || foreignByContent(head);
+}
+
+LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits) {
+  MeshRemarks remarks(name);
   if (bytes.empty()) throw Error("expected a mesh, got an empty file", name);
-  Mesh mesh = format == Format::obj   ? readObj(bytes, name, limits)
-              : format == Format::stl ? readStl(bytes, name, limits)
-                                      : readPly(bytes, name, limits);
-  if (mesh.triangles.empty()) {
-    throw Error(
-        fmt::format("expected at least one triangle, got none and {} vertices", mesh.positions.size()), name);
-  }
-  return mesh;
+  const MeshFormat format = formatOf(bytes, remarks);
+  LoadedMesh loaded;
+  loaded.mesh = format == MeshFormat::obj   ? readObj(bytes, remarks, limits)
+                : format == MeshFormat::stl ? readStl(bytes, remarks, limits)
+                                            : readPly(bytes, remarks, limits);
+  loaded.warnings = remarks.warnings();
+  return loaded;
 }
 
-Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits) {
-  formatOf(path);  // before a large file is read for nothing
-  const FileBytes bytes = readFile(path, limits.maxBytes, "--max-mesh-mb raises the limit");
+LoadedMesh loadMesh(const fs::path& path, const MeshLimits& limits, const CancelToken* token) {
+  checkIsMesh(path);
+  const FileBytes bytes = readFile(path, limits.maxBytes, MeshLimits::bytesHelp, token);
   return readMesh(bytes.view(), path.string(), limits);
 }
 
-void saveMesh(const std::filesystem::path& path, const Mesh& mesh, const MeshFileOptions& options) {
-  if (options.scale == 1) {
-    writeMesh(path, mesh, options.comment);
-  } else {
-    writeMesh(path, scaled(mesh, options.scale, path.string()), options.comment);
-  }
+std::vector<std::string> saveMesh(const std::filesystem::path& path, const Mesh& mesh,
+                                  const MeshFileOptions& options) {
+  if (options.scale == 1) return writeMesh(path, mesh, options.comment);
+  return writeMesh(path, scaled(mesh, options.scale, path.string()), options.comment);
 }
 
 }  // namespace anamorph

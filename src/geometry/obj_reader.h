@@ -1,16 +1,17 @@
-// Wavefront OBJ: `v` and `f` lines. Everything else (texture coordinates, normals, groups, materials, curves)
-// is skipped. Positions keep the file's order, so that a seam in the texture does not split a position.
+// Wavefront OBJ: `v` and `f` lines (`fo`, as old programs write it). Texture coordinates, normals, groups and materials
+// are skipped, lines and curves left out. Positions keep the file's order, so that a seam in the texture does not
+// split a position.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
+#include "geometry/mesh_remarks.h"
 
 namespace anamorph {
 
-/// The mesh in an OBJ file's bytes, as loadMesh promises; `file` is the name for messages. Throws Error.
-Mesh readObj(std::string_view bytes, const std::string& file, const MeshLimits& limits = {});
+/// The mesh in an OBJ file's bytes, as loadMesh promises. Throws Error.
+Mesh readObj(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits = {});
 
 }  // namespace anamorph

@@ -11,4 +11,7 @@ namespace anamorph {
 /// Writes the whole file; the caller commits it.
 void writeObj(AtomicFile& file, const Mesh& mesh, const std::string& comment);
 
+/// The same as a text, without a comment.
+std::string formatObj(const Mesh& mesh);
+
 }  // namespace anamorph

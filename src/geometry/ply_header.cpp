@@ -11,6 +11,8 @@
 namespace anamorph {
 namespace {
 
+constexpr Remark unknownLines{"1 unknown line of the head skipped", "{} unknown lines of the head skipped"};
+
 template <typename Value>
 using NamedValues = std::vector<std::pair<std::string_view, Value>>;
 
@@ -52,11 +54,11 @@ std::optional<std::uint64_t> parseCount(std::string_view word) {
 
 class PlyHeaderReader {
  public:
-  PlyHeaderReader(std::string_view bytes, const std::string& file)
-      : rest_(bytes), bytes_(bytes), file_(file) {}
+  PlyHeaderReader(std::string_view bytes, MeshRemarks& remarks)
+      : rest_(withoutByteOrderMark(bytes)), bytes_(bytes), remarks_(remarks) {}
 
   PlyHeader read() {
-    takeLine();
+    while (line_.empty()) takeLine();
     if (line_ != "ply") fail("\"ply\"");
     takeLine();
     while (line_ != "end_header") {
@@ -80,7 +82,7 @@ class PlyHeaderReader {
     } else if (keyword == "property") {
       readProperty(rest);
     } else {
-      fail("format, element, property or end_header");
+      remarks_.add(unknownLines, [&] { return RemarkPlace{where(), {}}; });
     }
   }
 
@@ -106,8 +108,7 @@ class PlyHeaderReader {
     std::string_view word = takeWord(rest);
     if (word == "list") {
       property.countType = findType(takeWord(rest));
-      if (!property.countType || *property.countType >= PlyType::float32)
-        fail("a whole-number type after list");
+      if (!property.countType) fail("a type after list");
       word = takeWord(rest);
     }
     const auto type = findType(word);
@@ -117,23 +118,30 @@ class PlyHeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
+  // Where lines end in \r alone, a \n behind end_header is a byte of the data.
   void takeLine() {
     if (rest_.empty()) {
-      throw Error("expected end_header, got the end of the file", file_, lineAt(bytes_, bytes_.size()));
+      throw Error("expected end_header, got the end of the file", remarks_.file(), where());
     }
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    ++number_;
+    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
     line_ = trimmed(rest_.substr(0, end));
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    const bool isPair = rest_.substr(end, 2) == "\r\n";
+    if (number_ == 1) returnsAlone_ = end < rest_.size() && rest_[end] == '\r' && !isPair;
+    rest_.remove_prefix(std::min(end + (isPair && !returnsAlone_ ? 2 : 1), rest_.size()));
   }
 
+  std::string where() const { return fmt::format("line {}", number_); }
+
   [[noreturn]] void fail(std::string_view expected) const {
-    throw Error(fmt::format("expected {}, got {}", expected, inQuotes(line_)), file_,
-                lineAt(bytes_, static_cast<std::size_t>(line_.data() - bytes_.data())));
+    throw Error(fmt::format("expected {}, got {}", expected, inQuotes(line_)), remarks_.file(), where());
   }
 
   std::string_view rest_, line_;
   std::string_view bytes_;
-  const std::string& file_;
+  MeshRemarks& remarks_;
+  std::size_t number_ = 0;     // of the line
+  bool returnsAlone_ = false;  // lines end in \r
   PlyHeader header_;
   bool formatKnown_ = false;
 };
@@ -158,8 +166,8 @@ std::size_t sizeOf(PlyType type) {
   return 8;
 }
 
-PlyHeader readPlyHeader(std::string_view bytes, const std::string& file) {
-  return PlyHeaderReader(bytes, file).read();
+PlyHeader readPlyHeader(std::string_view bytes, MeshRemarks& remarks) {
+  return PlyHeaderReader(bytes, remarks).read();
 }
 
 }  // namespace anamorph

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/mesh_remarks.h"
+
 namespace anamorph {
 
 enum class PlyFormat { ascii, binaryLittleEndian, binaryBigEndian };
@@ -35,7 +37,8 @@ struct PlyHeader {
   std::size_t size = 0;  ///< where the data begins
 };
 
-/// Throws Error with `file` and the line for a head that is not understood or has no end.
-PlyHeader readPlyHeader(std::string_view bytes, const std::string& file);
+/// Its lines end in \n, \r\n or \r; lines of unknown keywords are remarked and skipped. Throws Error with the line for
+/// a head that is not understood or has no end.
+PlyHeader readPlyHeader(std::string_view bytes, MeshRemarks& remarks);
 
 }  // namespace anamorph

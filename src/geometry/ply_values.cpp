@@ -1,5 +1,7 @@
 #include "geometry/ply_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,11 +35,92 @@ double decode(PlyType type, const char* bytes) {
   return readLittleEndian<double>(bytes);
 }
 
+// Comments belong into the head, but stand between the rows of some files.
+bool isComment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("comment ") || line.starts_with("obj_info ");
+}
+
+std::uint64_t rowsOf(const PlyHeader& header) {
+  std::uint64_t rows = 0;
+  for (const PlyElement& element : header.elements) {
+    if (!element.properties.empty()) rows += element.count;
+  }
+  return rows;
+}
+
 }  // namespace
 
+PlyValues::PlyValues(std::string_view data, const PlyHeader& header) : rest_(data), format_(header.format) {
+  if (!isText()) return;
+  rest_ = withoutPadding(rest_);
+  if (rest_.find('\n') == std::string_view::npos) lineEnd_ = '\r';
+  const std::uint64_t lines = countLines(), rows = rowsOf(header);
+  rowsAreLines_ = lines >= rows;
+  if (rowsAreLines_) spareLines_ = lines - rows;
+  skipLineEnds();
+}
+
+// Lines with something on them.
+std::uint64_t PlyValues::countLines() const {
+  std::uint64_t lines = 0;
+  for (std::string_view rest = rest_; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(lineEnd_), rest.size());
+    std::string_view line = rest.substr(0, end);
+    while (!line.empty() && isBlank(line[0])) line.remove_prefix(1);
+    if (!line.empty() && !isComment(line)) ++lines;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return lines;
+}
+
+void PlyValues::skipBlanks() {
+  const char* p = rest_.data();
+  const char* const end = p + rest_.size();
+  while (p != end && isBlank(*p) && *p != lineEnd_) ++p;
+  rest_.remove_prefix(static_cast<std::size_t>(p - rest_.data()));
+}
+
+// To the next line that has something on it, unless there is something on this one. Whether there is one.
+bool PlyValues::skipLineEnds() {
+  while (true) {
+    skipBlanks();
+    const bool atLineEnd = !rest_.empty() && rest_[0] == lineEnd_;
+    if (atLineEnd) {
+      rest_.remove_prefix(1);
+    } else if (isComment(rest_)) {
+      rest_.remove_prefix(std::min(rest_.find(lineEnd_), rest_.size()));
+    } else {
+      return !rest_.empty();
+    }
+  }
+}
+
+std::string_view PlyValues::takeWordOfRow() {
+  skipBlanks();
+  if (rest_.empty()) return {};
+  if (rest_[0] == lineEnd_) {
+    if (rowsAreLines_ && spareLines_ == 0) return {};
+    if (rowsAreLines_) --spareLines_;
+    skipLineEnds();
+  }
+  return takeWord(rest_);
+}
+
+bool PlyValues::endRow() {
+  if (!isText()) return true;
+  bool complete = true;
+  if (rowsAreLines_) {
+    skipBlanks();
+    complete = rest_.empty() || rest_[0] == lineEnd_;
+    if (!complete) rest_.remove_prefix(std::min(rest_.find(lineEnd_), rest_.size()));
+  }
+  skipLineEnds();
+  return complete;
+}
+
 std::optional<double> PlyValues::next(PlyType type) {
-  if (format_ != PlyFormat::ascii) return nextBinary(type);
-  word_ = takeWord(rest_);
+  if (!isText()) return nextBinary(type);
+  word_ = takeWordOfRow();
   return parseNumber(word_);
 }
 
@@ -56,30 +139,33 @@ std::optional<double> PlyValues::nextBinary(PlyType type) {
 }
 
 bool PlyValues::skip(PlyType type, std::size_t count) {
-  if (format_ != PlyFormat::ascii) {
+  if (!isText()) {
     const bool enough = count <= rest_.size() / sizeOf(type);
     rest_.remove_prefix(enough ? count * sizeOf(type) : rest_.size());
     return enough;
   }
   for (; count > 0; --count) {
-    word_ = takeWord(rest_);
+    word_ = takeWordOfRow();
     if (word_.empty()) return false;
   }
   return true;
 }
 
 std::size_t PlyValues::mostRows(const PlyElement& element) const {
-  const bool isText = format_ == PlyFormat::ascii;
-  std::size_t rowSize = 0;  // with empty lists
+  if (element.properties.empty()) return std::numeric_limits<std::size_t>::max();
+  std::size_t rowSize = 0;  // with empty lists, which a text may leave out
   for (const PlyProperty& property : element.properties) {
-    rowSize += isText ? 2 : sizeOf(property.countType.value_or(property.type));  // a digit and a blank
+    if (!isText()) rowSize += sizeOf(property.countType.value_or(property.type));
+    if (isText() && !property.countType) rowSize += 2;  // a digit and a blank
   }
-  if (rowSize == 0) return std::numeric_limits<std::size_t>::max();
-  return (rest_.size() + (isText ? 1 : 0)) / rowSize;
+  if (isText()) return (rest_.size() + 1) / std::max<std::size_t>(rowSize, 2);
+  return rest_.size() / rowSize;
 }
 
-std::string PlyValues::lastValue() const {
-  return inQuotesOrEnd(word_);
+std::string PlyValues::leftOver() const {
+  if (isPadding(rest_)) return {};
+  const std::uint64_t count = isText() ? countLines() : rest_.size();
+  return fmt::format("{} {}{}", count, isText() ? "line" : "byte", count == 1 ? "" : "s");
 }
 
 }  // namespace anamorph

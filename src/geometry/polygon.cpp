@@ -10,11 +10,10 @@
 #include <utility>
 
 #include "base/check.h"
+#include "geometry/corner_grid.h"
 
 namespace anamorph {
 namespace {
-
-using Point2 = glm::dvec2;
 
 // Twice the signed area of the triangle: positive when counter-clockwise.
 double orientation(const Point2& a, const Point2& b, const Point2& c) {
@@ -53,6 +52,10 @@ void appendTriangle(const Triangle& t, std::vector<Triangle>& triangles) {
   if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
 }
 
+// After so many corners that were looked at in vain the rest is cut without looking, or one polygon that crosses
+// itself a million times would take hours.
+constexpr std::size_t mostFailures = 100'000'000;
+
 // The corners that are not cut off yet, as a ring.
 class EarClipper {
  public:
@@ -62,18 +65,21 @@ class EarClipper {
       next_[i] = (i + 1) % corners_.size();
       previous_[next_[i]] = i;
     }
+    std::vector<std::size_t> reflex;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-      if (!isConvex(i)) reflex_.push_back(i);
+      if (!isConvex(i)) reflex.push_back(i);
     }
+    reflex_ = CornerGrid(flat_, reflex);
   }
 
   void clipAll(std::vector<Triangle>& triangles) {
     std::size_t corner = 1;
-    std::size_t failures = 0;
+    std::size_t failures = 0, allFailures = 0;
     for (std::size_t left = corners_.size(); left > 3; --left) {
-      while (failures < left && !isEar(corner)) {
+      while (failures < left && allFailures < mostFailures && !isEar(corner)) {
         corner = next_[corner];
         ++failures;
+        ++allFailures;
       }
       // A whole round without an ear: the polygon is not simple, and any corner is as good as another.
       if (failures < left) failures = 0;
@@ -98,7 +104,7 @@ class EarClipper {
   bool isEar(std::size_t i) const {
     if (!isConvex(i)) return false;
     const Point2 a = flat_[previous_[i]], b = flat_[i], c = flat_[next_[i]];
-    return std::none_of(reflex_.begin(), reflex_.end(), [&](std::size_t other) {
+    return reflex_.noneIn({a, b, c}, [&](std::size_t other) {
       const Point2 p = flat_[other];
       // Corners in the same place (a polygon with a slit to a hole) do not block each other.
       if (p == a || p == b || p == c) return false;
@@ -110,26 +116,25 @@ class EarClipper {
     const std::size_t before = previous_[i], after = next_[i];
     next_[before] = after;
     previous_[after] = before;
-    std::erase_if(reflex_, [&](std::size_t other) {
-      return other == i || ((other == before || other == after) && isConvex(other));
-    });
+    reflex_.remove(i, flat_[i]);
+    for (const std::size_t other : {before, after}) {
+      if (isConvex(other)) reflex_.remove(other, flat_[other]);
+    }
   }
 
   std::span<const std::uint32_t> corners_;
   std::vector<Point2> flat_;
   std::vector<std::size_t> next_, previous_;
-  std::vector<std::size_t> reflex_;  // the corners that are not convex
+  CornerGrid reflex_;  // the corners that are not convex
 };
 
 }  // namespace
 
-std::string problemWithPolygon(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits) {
-  if (corners < 3) return fmt::format("expected at least three corners, got {}", corners);
+std::string limitPassedBy(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits) {
   if (corners > maxPolygonCorners) {
     return fmt::format("expected at most {} corners, got {}", maxPolygonCorners, corners);
   }
-  const std::size_t triangles = before.corners.size() - 2 * before.sizes.size() + corners - 2;
-  if (triangles > limits.maxTriangles()) return limits.tooManyTriangles();
+  if (trianglesOf(before) + corners - 2 > limits.maxTriangles()) return limits.tooManyTriangles();
   return {};
 }
 
@@ -145,7 +150,7 @@ void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t>
 
 std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons) {
   std::vector<Triangle> triangles;
-  triangles.reserve(polygons.corners.size() - std::min(polygons.corners.size(), 2 * polygons.sizes.size()));
+  triangles.reserve(trianglesOf(polygons));
   const std::uint32_t* first = polygons.corners.data();
   for (const std::uint32_t size : polygons.sizes) {
     if (size == 3) {  // nearly always

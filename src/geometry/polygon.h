@@ -15,25 +15,32 @@
 
 namespace anamorph {
 
-/// Polygons as files have them: the corner indices of all of them in one array, and how many each one has.
+/// Polygons as files have them: the corner indices of all of them in one array, and how many each one has: 0 for
+/// one that was left out, so that the others keep their numbers.
 struct PolygonSoup {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> sizes;
+  std::size_t empty = 0;  ///< how many sizes are 0
 };
 
-/// More corners in one polygon than this are taken for damage; ear clipping takes quadratic time.
-constexpr std::size_t maxPolygonCorners = 10'000;
+/// How many triangles they give when no polygon has a corner twice.
+inline std::size_t trianglesOf(const PolygonSoup& polygons) {
+  return polygons.corners.size() - 2 * (polygons.sizes.size() - polygons.empty);
+}
 
-/// What speaks against adding a polygon of so many corners to those read before, in the words of an Error;
-/// empty when nothing does.
-std::string problemWithPolygon(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits);
+/// More corners in one polygon than this are taken for damage.
+constexpr std::size_t maxPolygonCorners = 1'000'000;
+
+/// The limit that a polygon of so many corners passes after those read before, in the words of an Error; empty when
+/// it passes none.
+std::string limitPassedBy(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits);
 
 /// Appends triangles with the polygon's own orientation to `triangles`. Repeated corners in a row are left
 /// out first; n >= 3 corners give n - 2 triangles, less those with the same corner twice.
 void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t> corners,
                         std::vector<Triangle>& triangles);
 
-/// All polygons, in their order. Their indices must be valid.
+/// All polygons but the empty ones, in their order. Their indices must be valid.
 std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons);
 
 }  // namespace anamorph

@@ -1,7 +1,11 @@
 #include "gl/offscreen_context.h"
 
+#include <sys/mman.h>
+
 #include <array>
+#include <cstddef>
 #include <cstring>
+#include <new>
 #include <string>
 
 #include <EGL/egl.h>
@@ -18,6 +22,14 @@ struct OffscreenContext::Parts {
 };
 
 namespace {
+
+// Mesa's software renderer ends the program where it gets no memory, so it is not begun where that is to be foreseen.
+void checkMemory() {
+  constexpr std::size_t needed = std::size_t{512} << 20;
+  void* const room = ::mmap(nullptr, needed, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(room, needed);
+}
 
 bool clientHas(const char* extension) {
   const char* all = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -75,6 +87,7 @@ EGLContext makeContext(EGLDisplay display, GlKind kind) {
 }  // namespace
 
 OffscreenContext::OffscreenContext(GlKind kind) : parts_(std::make_unique<Parts>()), kind_(kind) {
+  checkMemory();
   const struct {
     const char* name;
     EGLDisplay (*open)();

@@ -17,7 +17,7 @@ class OffscreenContext {
  public:
   /// Makes a context, makes it current in this thread and loads OpenGL's functions. Tried in this order:
   /// Mesa's surfaceless platform, EGL devices, the default display. Throws Error that tells what each of them
-  /// said.
+  /// said, and std::bad_alloc where a software renderer would run out of memory.
   explicit OffscreenContext(GlKind kind = GlKind::desktop);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;

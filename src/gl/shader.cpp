@@ -207,6 +207,10 @@ UniformBuffer::~UniformBuffer() {
 void UniformBuffer::write(const void* data, std::size_t size) {
   glBindBuffer(GL_UNIFORM_BUFFER, name_);
   glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(size), data, GL_STREAM_DRAW);
+  bind();
+}
+
+void UniformBuffer::bind() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(point_), name_);
 }
 

@@ -77,6 +77,8 @@ class UniformBuffer {
   UniformBuffer& operator=(const UniformBuffer&) = delete;
 
   void write(const void* data, std::size_t size);
+  /// Programs read this one from now on, as after write().
+  void bind() const;
 
  private:
   std::uint32_t name_ = 0;

@@ -122,15 +122,16 @@ bool TexelArrays::reserve(std::span<const std::size_t> lengths) {
   return true;
 }
 
-void TexelArrays::write(std::size_t part, const void* texels, std::size_t count) {
+void TexelArrays::write(std::size_t part, std::size_t from, const void* texels, std::size_t count) {
   const Rows& place = parts_[part];
-  CHECK(rowsFor(count) <= place.rows);
+  CHECK(from % rowLength == 0 && rowsFor(from + count) <= place.rows);
+  const int row = place.firstRow + static_cast<int>(from / rowLength);
   const int whole = static_cast<int>(count / rowLength), rest = static_cast<int>(count % rowLength);
   const std::size_t texelBytes = 16;  // only formats of four 32-bit numbers are used for arrays
-  if (whole > 0) texture_.write(0, place.firstRow, rowLength, whole, texels);
+  if (whole > 0) texture_.write(0, row, rowLength, whole, texels);
   if (rest > 0) {
     const auto* last = static_cast<const char*>(texels) + texelBytes * rowLength * whole;
-    texture_.write(0, place.firstRow + whole, rest, 1, last);
+    texture_.write(0, row + whole, rest, 1, last);
   }
 }
 

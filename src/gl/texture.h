@@ -53,7 +53,8 @@ class TexelArrays {
 
   /// Makes room; must fit. Returns whether everything has moved, so that all of it has to be written again.
   bool reserve(std::span<const std::size_t> lengths);
-  void write(std::size_t part, const void* texels, std::size_t count);
+  /// Writes texels [from, from + count) of a part; `from` is the beginning of a row.
+  void write(std::size_t part, std::size_t from, const void* texels, std::size_t count);
 
   /// Index of the part's first texel in the whole.
   int first(std::size_t part) const { return parts_[part].firstRow * rowLength; }

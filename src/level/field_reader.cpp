@@ -54,6 +54,7 @@ void FieldReader::field(const char* key, std::string& value) {
   const JsonValue* json = find(key);
   if (!json) return;
   if (json->kind != Kind::string) fail(pathOf(key), "a string", *json);
+  checkBytes(json->text, key, limits::mostTextBytes);
   value = json->text;
 }
 
@@ -117,8 +118,11 @@ void FieldReader::numberOrOff(const char* key, double& value, Range range) {
   value = inRange ? json->number : 0;
 }
 
-void FieldReader::opaque(const char* key, std::string& json) {
-  if (const JsonValue* value = find(key)) json = compactJson(*value);
+void FieldReader::opaque(const char* key, std::string& json, std::size_t most) {
+  const JsonValue* value = find(key);
+  if (!value) return;
+  json = compactJson(*value);
+  checkBytes(json, key, most);
 }
 
 void FieldReader::expect(bool holds, const char* key, const std::string& what) {
@@ -168,6 +172,12 @@ std::size_t FieldReader::readChoice(const char* key, const std::vector<std::stri
   const auto name = std::find(names.begin(), names.end(), json.text);
   if (json.kind != Kind::string || name == names.end()) fail(pathOf(key), inQuotes(names), json);
   return static_cast<std::size_t>(name - names.begin());
+}
+
+void FieldReader::checkBytes(const std::string& text, const char* key, std::size_t most) const {
+  if (text.size() <= most) return;
+  throw Error(fmt::format("expected at most {} bytes, got {}", most, text.size()), context_.file,
+              pathOf(key));
 }
 
 void FieldReader::checkList(const JsonValue& json, const std::string& path, std::size_t most) const {

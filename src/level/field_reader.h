@@ -39,6 +39,7 @@ class FieldReader {
   bool has(const char* key) { return find(key) != nullptr; }
 
   void field(const char* key, bool& value);
+  /// Of at most limits::mostTextBytes.
   void field(const char* key, std::string& value);
   void field(const char* key, double& value, Range range);
   void field(const char* key, int& value, Range range);
@@ -52,8 +53,10 @@ class FieldReader {
   void factors(const char* key, Vector& value, Range range);
   /// A number, or "off" for 0.
   void numberOrOff(const char* key, double& value, Range range);
-  /// Any JSON, as text on one line.
-  void opaque(const char* key, std::string& json);
+  /// A string, empty where the file has none.
+  void textOrNone(const char* key, std::string& value) { field(key, value); }
+  /// Any JSON, as text on one line of at most `most` bytes.
+  void opaque(const char* key, std::string& json, std::size_t most);
 
   /// A string that is one of `names`; it chooses the enumerator, or the alternative of the variant, with its
   /// index. The key is needed.
@@ -98,6 +101,7 @@ class FieldReader {
   double readNumber(const JsonValue& json, const std::string& path, Range range, bool whole = false) const;
   void readVector(const JsonValue& json, const std::string& path, Vector& value, Range range) const;
   std::size_t readChoice(const char* key, const std::vector<std::string>& names);
+  void checkBytes(const std::string& text, const char* key, std::size_t most) const;
   void checkList(const JsonValue& json, const std::string& path, std::size_t most) const;
 
   template <typename Part>

@@ -82,7 +82,11 @@ void FieldWriter::numberOrOff(const char* key, double value, Range) {
   add(key, value == 0 ? scalar(Kind::string, "off") : number(value));
 }
 
-void FieldWriter::opaque(const char* key, const std::string& json) {
+void FieldWriter::textOrNone(const char* key, const std::string& value) {
+  if (!value.empty()) field(key, value);
+}
+
+void FieldWriter::opaque(const char* key, const std::string& json, std::size_t) {
   if (!json.empty()) add(key, parseJson(json, key));
 }
 

@@ -36,8 +36,10 @@ class FieldWriter {
   void pair(const char* key, int first, int second, Range);
   void factors(const char* key, const Vector& value, Range);
   void numberOrOff(const char* key, double value, Range);
+  /// Nothing is written for an empty text.
+  void textOrNone(const char* key, const std::string& value);
   /// Nothing is written for an empty text. Throws Error when it is not JSON.
-  void opaque(const char* key, const std::string& json);
+  void opaque(const char* key, const std::string& json, std::size_t);
 
   template <typename Choice, std::size_t count>
   void choice(const char* key, const Choice& value, const std::array<const char*, count>& names) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace anamorph {
 namespace {
@@ -17,37 +18,10 @@ using Kind = JsonValue::Kind;
 constexpr std::size_t lineWidth = 120;
 constexpr std::size_t quotedWidth = 60;  // of a value in a message
 
-bool isContinuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
-// Cut between characters, never inside one.
-std::string shortened(std::string text, std::size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && isContinuation(text[most])) --most;
-  return text.substr(0, most) + "...";
-}
-
-// The length of the well-formed UTF-8 character at the front (Unicode table 3-7), 0 when there is none.
-std::size_t characterLength(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text[0]);
-  if (first < 0x80) return first == 0 ? 0 : 1;  // the reader would take a 0 for the end of the text
-  if (first < 0xC2 || first > 0xF4) return 0;
-  const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  if (text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!isContinuation(text[i])) return 0;
-  }
-  const auto second = static_cast<unsigned char>(text[1]);
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second > 0x9F, tooLarge = first == 0xF4 && second > 0x8F;
-  return overlong || surrogate || tooLarge ? 0 : length;
-}
-
 void checkUtf8(std::string_view text, const std::string& file) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = characterLength(text.substr(i));
-    if (length == 0) {
+    if (length == 0 || text[i] == 0) {  // the reader would take a 0 for the end of the text
       throw Error(
           fmt::format("expected UTF-8 text, got the byte 0x{:02x}", static_cast<unsigned char>(text[i])),
           file, fmt::format("byte {}", i));
@@ -95,7 +69,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       throw Error("expected a number below 1.8e308, got " + shortened(token, quotedWidth), file_, nextPath());
     }
     // The library's text is "[id] parse error at line 1, column 2: syntax error while parsing ...".
-    const std::string what = error.what();
+    const std::string what = completed(error.what(), position);
     const std::size_t start = what.find("syntax error");
     throw Error(shortened(start == std::string::npos ? what : what.substr(start), 240), file_,
                 place(position));
@@ -156,6 +130,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return joinJsonPath(openPath(), isObject ? value.keys.back() : std::to_string(value.items.size()));
   }
 
+  // The library ends its quotation after the offending byte, which may be the first of a character.
+  std::string completed(std::string message, std::size_t position) const {
+    const std::string_view rest =
+        text_.substr(std::min(std::max<std::size_t>(position, 1) - 1, text_.size()));
+    const std::size_t length = characterLength(rest);
+    const std::size_t cut = length > 1 ? message.rfind(rest[0]) : std::string::npos;
+    return cut == std::string::npos ? message : message.replace(cut, 1, rest.substr(0, length));
+  }
+
   // `position` counts the bytes read, the offending one included.
   std::string place(std::size_t position) const {
     const std::string_view before = text_.substr(0, std::max<std::size_t>(position, 1) - 1);
@@ -177,9 +160,24 @@ bool holdsObject(const JsonValue& value) {
                      [](const JsonValue& item) { return item.kind == Kind::object || holdsObject(item); });
 }
 
-void appendCompact(std::string& out, const JsonValue& value) {
+using Quote = std::string (*)(std::string_view);
+
+// In ASCII; no blank and no > stays as it is.
+std::string quotePlain(std::string_view text) {
+  std::string quoted;
+  for (const char c : nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace)) {
+    if (c == ' ' || c == '>') {
+      quoted += c == ' ' ? "\\u0020" : "\\u003e";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted;
+}
+
+void appendCompact(std::string& out, const JsonValue& value, Quote quote) {
   if (value.kind == Kind::string) {
-    out += quoteJson(value.text);
+    out += quote(value.text);
   } else if (value.kind != Kind::array && value.kind != Kind::object) {
     out += value.kind == Kind::null ? "null" : value.text;
   } else {
@@ -187,8 +185,8 @@ void appendCompact(std::string& out, const JsonValue& value) {
     out += isObject ? '{' : '[';
     for (std::size_t i = 0; i < value.items.size(); ++i) {
       if (i > 0) out += ", ";
-      if (isObject) out += quoteJson(value.keys[i]) + ": ";
-      appendCompact(out, value.items[i]);
+      if (isObject) out += quote(value.keys[i]) + ": ";
+      appendCompact(out, value.items[i], quote);
     }
     out += isObject ? '}' : ']';
   }
@@ -237,7 +235,13 @@ std::string formatJson(const JsonValue& value) {
 
 std::string compactJson(const JsonValue& value) {
   std::string out;
-  appendCompact(out, value);
+  appendCompact(out, value, quoteJson);
+  return out;
+}
+
+std::string plainJson(const JsonValue& value) {
+  std::string out;
+  appendCompact(out, value, quotePlain);
   return out;
 }
 

@@ -41,6 +41,10 @@ std::string formatJson(const JsonValue& value);
 /// The same on one line.
 std::string compactJson(const JsonValue& value);
 
+/// The same in plain ASCII, without blanks and > inside its strings (they are escaped): whatever has wrapped or quoted
+/// the line since can be told from it.
+std::string plainJson(const JsonValue& value);
+
 /// In quotes, escaped; bytes that are not UTF-8 are replaced.
 std::string quoteJson(std::string_view text);
 

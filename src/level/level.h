@@ -58,9 +58,11 @@ struct PawnShape {
   bool operator==(const PawnShape&) const = default;
 };
 
-/// A mesh file. The path stays as it was written; modelPath() of level_json.h finds the file.
+/// A mesh file. The path stays as it was written; modelPath() of level_json.h finds the file. A small mesh may be inside
+/// the level; then the path is only what it is called.
 struct FileShape {
   std::string path;
+  Shared<std::string> obj = std::string();  ///< the mesh as the text of an OBJ file; empty: it is in the file
   bool operator==(const FileShape&) const = default;
 };
 

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "level/field_reader.h"
 #include "level/level.h"
 #include "level/limits.h"
@@ -145,6 +147,12 @@ void fields(At& at, FileShape& file) {
   at.field("path", file.path);
   const bool isName = !file.path.empty() && file.path.find('\0') == std::string::npos;
   at.expect(isName, "path", "the name of a mesh file");
+  at.expect(file.path.size() <= limits::mostPathBytes, "path", "a shorter name of a mesh file");
+  std::string obj = *file.obj;
+  at.textOrNone("obj", obj);
+  at.expect(obj.size() <= limits::mostInsideBytes, "obj",
+            fmt::format("an OBJ text of at most {} bytes", limits::mostInsideBytes));
+  file.obj = std::move(obj);
 }
 
 template <typename At>
@@ -236,7 +244,7 @@ void fields(At& at, Level& level) {
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);
   at.object("view", level.view);
-  at.opaque("lesson", text.lesson);
+  at.opaque("lesson", text.lesson, limits::mostLessonBytes);
   level.text = std::move(text);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "level/field_reader.h"
 #include "level/field_writer.h"
 #include "level/json.h"
@@ -67,7 +68,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
   loaded.lesson = parseLesson(loaded.level.text->lesson, fileName);
   for (const UnknownKey& unknown : context.unknownKeys) {
     loaded.warnings.push_back(fmt::format("{}: {}: unknown key, {}", fileName,
-                                          joinJsonPath(unknown.object, unknown.key),
+                                          shortened(joinJsonPath(unknown.object, unknown.key), 300),
                                           loaded.isThesisScene ? "ignored" : "kept but not used"));
   }
   return loaded;
@@ -83,13 +84,13 @@ std::string formatLevel(const Level& level) {
   return formatJson(writer.finish());
 }
 
-LoadedLevel loadLevel(const std::filesystem::path& path) {
+LoadedLevel loadLevel(const std::filesystem::path& path, const CancelToken* token) {
   const FileBytes bytes =
-      readFile(path, maxLevelBytes, "a level names its model's file instead of holding it");
+      readFile(path, maxLevelBytes, "a level names its model's file instead of holding it", token);
   return parseLevel(bytes.view(), path.string());
 }
 
-void saveLevel(const std::filesystem::path& path, const Level& level) {
+std::vector<std::string> saveLevel(const std::filesystem::path& path, const Level& level) {
   const std::string text = formatLevel(level);
   if (text.size() > maxLevelBytes) {
     throw Error(
@@ -97,11 +98,16 @@ void saveLevel(const std::filesystem::path& path, const Level& level) {
         path.string());
   }
   parseLevel(text, path.string());
-  writeFile(path, text);
+  return writeFile(path, text);
 }
 
 std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath) {
   return levelPath.parent_path() / shape.path;
+}
+
+std::optional<std::filesystem::path> meshFileOf(const Level& level, const std::filesystem::path& levelPath) {
+  const auto* file = std::get_if<FileShape>(&level.original.shape);
+  return file && !file->path.empty() ? std::optional(modelPath(*file, levelPath)) : std::nullopt;
 }
 
 }  // namespace anamorph

@@ -58,6 +58,7 @@ constexpr Range knotTurns{1, 32};  ///< p and q
 constexpr Range tubeRadius{0.01, 1};
 constexpr Limit letterSegments{{1, 256}, {1, 64}};
 constexpr Limit pawnSegments{{3, 2048}, {3, 256}};
+constexpr std::size_t mostInsideBytes = 200'000;  ///< of a mesh that is inside a level
 
 // ---- The sculpture
 
@@ -73,6 +74,13 @@ constexpr Limit lightIntensity{{0, 1000}, {0, 3}};
 constexpr Limit shininess{{1, 1000}, {1, 128}};
 constexpr Range reflections{0, 8};     ///< that are followed in a row
 constexpr Range samplesPerAxis{1, 4};  ///< of a pixel
+
+// ---- Texts, in bytes: what is read aloud in an hour is not longer
+
+constexpr std::size_t mostTextBytes = std::size_t{64} << 10;  ///< of a title, a description, a text of a step
+constexpr std::size_t mostLessonBytes = std::size_t{1} << 20;
+constexpr std::size_t mostPathBytes = 4096;   ///< as the system
+constexpr std::size_t mostTitleBytes = 1000;  ///< that can be typed
 
 // ---- Lessons
 

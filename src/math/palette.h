@@ -42,7 +42,8 @@ inline constexpr std::array vertexStatus{green, vermilion, purple, yellow, orang
 
 // ---- Where reflection and original differ
 
-constexpr Rgb onlyOriginal = blue, onlyReflection = vermilion, hiddenReflection = orange, noMirror = purple;
+/// Plainly different and with everyday names: blue, red, yellow, purple.
+constexpr Rgb onlyOriginal = blue, onlyReflection{0xD4213D}, hiddenReflection = yellow, noMirror = purple;
 
 // ---- How good something is; on dark themes, and on light ones
 

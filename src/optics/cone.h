@@ -76,7 +76,7 @@ struct ConeMirror {
   std::optional<std::string> findProblem() const {
     for (const double radius : {bottomRadius, topRadius}) {
       if (radius >= 0) continue;
-      return fmt::format(fmt::runtime(tr("expected a radius of 0 or more, got {}")), radius);
+      return trFormat("expected a radius of 0 or more, got {}", radius);
     }
     if (!(widest() > 0)) return tr("expected a bottom or a top radius > 0, got a cone of width 0");
     if (!(height() > 0)) return tr("expected a top that is not at the bottom, got a cone of height 0");
@@ -87,11 +87,10 @@ struct ConeMirror {
     const double distance = glm::length(form.w);
     if (auto problem = findDistanceProblem(std::hypot(distance, form.along), widest())) return problem;
     if (distance > form.radiusAtEye + shapeTolerance * widest()) return std::nullopt;
-    return fmt::format(
-        fmt::runtime(
-            tr("the eye is inside the cone (continued beyond its ends): it is {:.3g} from the axis and "
-               "the radius there is {:.3g}. From there no ray meets the outside of the mirror. Move "
-               "the eye away from the axis, or make the radii smaller.")),
+    return trFormat(
+        "the eye is inside the cone (continued beyond its ends): it is {:.3g} from the axis and "
+        "the radius there is {:.3g}. From there no ray meets the outside of the mirror. Move "
+        "the eye away from the axis, or make the radii smaller.",
         distance, form.radiusAtEye);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
@@ -165,9 +164,8 @@ struct ConeMirror {
   }
 
   ShapeWords words(LengthText text) const {
-    return {fmt::format(
-                fmt::runtime(tr("A cone of {} mm diameter at its bottom, {} mm at its top, {} mm high. ")),
-                text(2 * bottomRadius), text(2 * topRadius), text(height())),
+    return {trFormat("A cone of {} mm diameter at its bottom, {} mm at its top, {} mm high. ",
+                     text(2 * bottomRadius), text(2 * topRadius), text(height())),
             standsOnNarrowEnd() ? tr("Upright on its narrow end, in the middle of the blue circle")
                                 : stanceAlong(top - bottom)};
   }

@@ -74,10 +74,10 @@ struct CylinderMirror {
     const double distance = glm::length(formFrom(eye).w);
     if (auto problem = findDistanceProblem(distance, radius)) return problem;
     if (distance > radius * (1 + shapeTolerance)) return std::nullopt;
-    return fmt::format(
-        fmt::runtime(tr("the eye is inside the cylinder (continued beyond its ends): it is {:.3g} from the "
-                        "axis and the radius is {:.3g}. From there no ray meets the outside of the mirror. "
-                        "Move the eye away from the axis, or make the radius smaller.")),
+    return trFormat(
+        "the eye is inside the cylinder (continued beyond its ends): it is {:.3g} from the "
+        "axis and the radius is {:.3g}. From there no ray meets the outside of the mirror. "
+        "Move the eye away from the axis, or make the radius smaller.",
         distance, radius);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
@@ -129,8 +129,8 @@ struct CylinderMirror {
   }
 
   ShapeWords words(LengthText text) const {
-    return {fmt::format(fmt::runtime(tr("A cylinder of {} mm diameter, {} mm high. ")), text(2 * radius),
-                        text(glm::length(top - bottom))),
+    return {trFormat("A cylinder of {} mm diameter, {} mm high. ", text(2 * radius),
+                     text(glm::length(top - bottom))),
             stanceAlong(top - bottom)};
   }
 };

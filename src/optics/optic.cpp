@@ -60,8 +60,8 @@ std::optional<std::string> findProblem(const Optic& optic) {
   for (const OpticPart& part : optic.parts) {
     const auto problem = findShapeProblem(part.shape);
     if (!problem) continue;
-    return fmt::format(fmt::runtime(tr("the {} {} cannot be used: {}.")), tr(shapeName(part.shape)),
-                       tr(traitsOf(part.kind).surface), *problem);
+    return trFormat("the {} {} cannot be used: {}.", tr(shapeName(part.shape)),
+                    tr(traitsOf(part.kind).surface), *problem);
   }
   return std::nullopt;
 }

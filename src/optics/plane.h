@@ -98,8 +98,7 @@ struct PlaneMirror {
     const Direction n = normal();
     const double gap = std::abs(glm::dot(v[1] - v[0], n));
     if (gap > shapeTolerance * size()) {
-      return fmt::format(
-          fmt::runtime(tr("expected four corners in one plane, got one that is {:.3g} off it")), gap);
+      return trFormat("expected four corners in one plane, got one that is {:.3g} off it", gap);
     }
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector edge = v[(i + 1) % 4] - v[i], next = v[(i + 2) % 4] - v[(i + 1) % 4];
@@ -207,12 +206,9 @@ struct PlaneMirror {
   ShapeWords words(LengthText text) const {
     const auto side = [&](std::size_t i) { return text(glm::length(corners[(i + 1) % 4] - corners[i])); };
     const double lean = degrees(std::asin(std::min(1.0, std::abs(normal().z))));
-    ShapeWords words{fmt::format(fmt::runtime(tr("Flat, {} x {} mm. ")), side(0), side(1)), {}};
-    words.stance =
-        lean < 0.05
-            ? tr("Upright on the blue line, its reflecting side towards the eye")
-            : fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees from upright")),
-                          lean);
+    ShapeWords words{trFormat("Flat, {} x {} mm. ", side(0), side(1)), {}};
+    words.stance = lean < 0.05 ? tr("Upright on the blue line, its reflecting side towards the eye")
+                               : trFormat("Over the blue outline, leaning {:.1f} degrees from upright", lean);
     return words;
   }
 };

@@ -31,14 +31,14 @@ Axes axesAlong(const Direction& a) {
 
 std::optional<std::string> findRadiusProblem(double radius) {
   if (radius > 0) return std::nullopt;
-  return fmt::format(fmt::runtime(tr("expected a radius > 0, got {}")), radius);
+  return trFormat("expected a radius > 0, got {}", radius);
 }
 
 std::optional<std::string> findDistanceProblem(double distance, double radius) {
   if (!(distance > radius * farthestEye)) return std::nullopt;
-  return fmt::format(
-      fmt::runtime(tr("the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could "
-                      "be seen in it. Make the radius larger, or move the eye nearer.")),
+  return trFormat(
+      "the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could "
+      "be seen in it. Make the radius larger, or move the eye nearer.",
       radius, distance);
 }
 
@@ -75,7 +75,7 @@ bool isUpright(const Vector& axis) {
 std::string stanceAlong(const Vector& axis) {
   const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
   if (lean < 0.05) return tr("Upright on the blue circle");
-  return fmt::format(fmt::runtime(tr("Over the blue outline, leaning {:.1f} degrees")), lean);
+  return trFormat("Over the blue outline, leaning {:.1f} degrees", lean);
 }
 
 }  // namespace anamorph

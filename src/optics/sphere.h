@@ -67,10 +67,11 @@ struct SphereMirror {
     const double distance = glm::length(eye - centre);
     if (auto problem = findDistanceProblem(distance, radius)) return problem;
     if (distance > radius * (1 + shapeTolerance)) return std::nullopt;
-    return fmt::format(fmt::runtime(tr("the eye is inside the sphere: it is {:.3g} from the centre and the "
-                                       "radius is {:.3g}. From there no ray meets the outside of the mirror. "
-                                       "Move the eye away from the centre, or make the radius smaller.")),
-                       distance, radius);
+    return trFormat(
+        "the eye is inside the sphere: it is {:.3g} from the centre and the "
+        "radius is {:.3g}. From there no ray meets the outside of the mirror. "
+        "Move the eye away from the centre, or make the radius smaller.",
+        distance, radius);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
     return centre + 2 * radius * wayOut(eye - centre, centre - original, Direction(0, -1, 0));
@@ -108,7 +109,7 @@ struct SphereMirror {
   PackedShape packed(const Point& origin) const { return {glm::dvec4(centre - origin, radius)}; }
 
   ShapeWords words(LengthText text) const {
-    return {fmt::format(fmt::runtime(tr("A ball of {} mm diameter. ")), text(2 * radius)),
+    return {trFormat("A ball of {} mm diameter. ", text(2 * radius)),
             tr("Its lowest point over the cross; the blue circle is its outline")};
   }
 };

@@ -10,6 +10,8 @@
 #include "panels/file_flow.h"
 #include "panels/key_focus.h"
 #include "panels/lesson_text.h"
+#include "panels/let_go.h"
+#include "panels/level_sharing.h"
 #include "panels/tour.h"
 #include "panels/view_mouse.h"
 #include "panels/widgets.h"
@@ -73,12 +75,6 @@ bool canMoveFocus(const Editor&, const UiState& ui) {
 
 bool hasLesson(const Editor& editor, const UiState&) {
   return !editor.lesson.empty();
-}
-
-// What is being dragged works on a level that is about to be replaced.
-void letGo(Editor& editor, UiState& ui) {
-  endViewDrag(editor, ui.mouse, true);
-  letGoOfWidgets();
 }
 
 void undo(Editor& editor, UiState& ui) {
@@ -155,6 +151,9 @@ constexpr std::array<ActionRow, actionCount> table{{
      [](const Editor& editor, const UiState&) { return editor.session.modified(); }},
     {Action::copyLevel, "Copy the level", "As text, to be sent or pasted anywhere",
      {{'C', control | shift}}, [](Editor& editor, UiState&) { copyLevel(editor); }},
+    {Action::copyLevelWithMesh, "Copy the level with its mesh", "As text, with the mesh of a file inside",
+     {{'C', control | alt}}, copyLevelWithMesh,
+     [](const Editor& editor, const UiState&) { return canCopyWithMesh(editor); }},
     {Action::pasteLevel, "Paste a level", "From a text, in place of this one; can be undone",
      {{'V', control | shift}}, pasteLevel},
     {Action::moveMode, "Move", "The gizmo moves the selection", {{'W'}, {}, {'T'}},

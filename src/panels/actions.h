@@ -19,6 +19,7 @@ enum class Action {
   save,
   saveAs,
   copyLevel,
+  copyLevelWithMesh,
   pasteLevel,
   reload,
   screenshot,

@@ -9,10 +9,12 @@
 #include <imgui_stdlib.h>
 
 #include "base/language.h"
+#include "level/limits.h"
 #include "panels/browser_places.h"
 #include "panels/browser_steps.h"
 #include "panels/dialog.h"
 #include "panels/style.h"
+#include "panels/typing_limit.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
@@ -104,8 +106,9 @@ bool takeEarlyLetters(FileBrowser& b) {
   ImGuiIO& io = ImGui::GetIO();
   if (ImGui::GetActiveID() == ImGui::GetID("##text") || io.InputQueueCharacters.empty()) return false;
   if (std::exchange(b.proposed, false)) b.text.clear();
+  TypingLimit limit(b.text, limits::mostPathBytes);
   for (const ImWchar letter : io.InputQueueCharacters) {
-    if (letter < 32 || letter == 127) continue;
+    if (letter < 32 || letter == 127 || !limit.takes(letter)) continue;
     char bytes[5] = {};
     ImTextCharToUtf8(bytes, letter);
     b.text += bytes;
@@ -115,8 +118,15 @@ bool takeEarlyLetters(FileBrowser& b) {
   return true;
 }
 
-int placeCaret(ImGuiInputTextCallbackData* data) {
-  if (std::exchange(static_cast<FileBrowser*>(data->UserData)->caretToEnd, false)) {
+struct Typing {
+  FileBrowser& browser;
+  TypingLimit limit;
+};
+
+int onTyping(ImGuiInputTextCallbackData* data) {
+  auto& [browser, limit] = *static_cast<Typing*>(data->UserData);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackCharFilter) return limit.takes(data->EventChar) ? 0 : 1;
+  if (std::exchange(browser.caretToEnd, false)) {
     data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
   }
   return 0;
@@ -138,8 +148,9 @@ void drawField(FileBrowser& b) {
                      : b.purpose.saves ? "Name of the file"
                                        : "Type to filter, or a path";
   const bool early = takeEarlyLetters(b);
-  const bool typed = ImGui::InputTextWithHint("##text", tr(hint), &b.text, ImGuiInputTextFlags_CallbackAlways,
-                                              placeCaret, &b);
+  Typing typing{b, TypingLimit(b.text, limits::mostPathBytes)};
+  constexpr int events = ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackCharFilter;
+  const bool typed = ImGui::InputTextWithHint("##text", tr(hint), &b.text, events, onTyping, &typing);
   if (typed || early) {
     b.problem.clear();
     b.proposed = false;
@@ -164,11 +175,8 @@ void drawFooter(FileBrowser& b, const Look& look) {
   }
   const auto [yes, no] = answersOf(b);
   if (!b.replace.empty()) {
-    ImGui::PushTextWrapPos();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(
-        fmt::format(fmt::runtime(tr("{} exists. Replace it?")), b.replace.filename().string()).c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(trFormat("{} exists. Replace it?", b.replace.filename().string()));
   } else {
     const bool oneLine = footerIsOneLine(b);
     drawField(b);
@@ -188,8 +196,7 @@ float footerHeight(const FileBrowser& b) {
   float height = (footerIsOneLine(b) ? 2.0f : 3.0f) * ImGui::GetFrameHeightWithSpacing();
   if (!b.problem.empty()) {
     const float width = ImGui::GetContentRegionAvail().x;
-    height +=
-        ImGui::CalcTextSize(b.problem.c_str(), nullptr, false, width).y + ImGui::GetStyle().ItemSpacing.y;
+    height += paragraphHeight(b.problem, width) + ImGui::GetStyle().ItemSpacing.y;
   }
   return height;
 }

@@ -5,6 +5,7 @@
 
 #include "panels/browser_view.h"
 #include "panels/file_flow.h"
+#include "panels/level_sharing.h"
 
 namespace anamorph {
 namespace {
@@ -31,6 +32,11 @@ constexpr Dialog dialogs[] = {
     {"finish", [](const UiState& ui) { return ui.finish.has_value(); },
      [](Editor&, UiState& ui) {
        drawFinishDialog(ui.finish, filesBeingWritten(ui), ui.exporting.fraction, ui.dialogKeys, ui);
+     }},
+    {"mesh", [](const UiState& ui) { return ui.meshQuestion.has_value(); },
+     [](Editor& editor, UiState& ui) {
+       if (const auto answer = drawMeshDialog(*ui.meshQuestion, ui.dialogKeys, ui))
+         answerMeshQuestion(*answer, editor, ui);
      }},
     {"recovery", [](const UiState& ui) { return !ui.recovery.entries.empty(); },
      [](Editor&, UiState& ui) {

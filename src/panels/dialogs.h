@@ -7,7 +7,7 @@
 
 namespace anamorph {
 
-/// The name of the dialog that is open ("notice", "browser", "unsaved", "finish", "recovery"); empty: none.
+/// The name of the dialog that is open ("notice", "browser", "unsaved", "finish", "mesh", "recovery"); empty: none.
 const char* openDialog(const UiState& ui);
 
 /// Whether one is open: then keys are the dialog's.

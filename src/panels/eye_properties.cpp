@@ -25,9 +25,9 @@ void liftRow(Editor& editor, const UiState& ui) {
   const auto& match = editor.updater.result().match;
   const double hidden = match ? match->report.hiddenShare : 0;
   if (hidden > 0) {
-    quietText(ui, fmt::format(fmt::runtime(tr("The sculpture hides {:.1f} % of its own reflection.")),
-                              std::max(0.1, 100 * hidden))
-                      .c_str());
+    quietText(
+        ui,
+        trFormat("The sculpture hides {:.1f} % of its own reflection.", std::max(0.1, 100 * hidden)).c_str());
   }
   liftButton(editor);
 }

@@ -10,12 +10,15 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/level_files.h"
 #include "edit/replacements.h"
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "panels/browser_places.h"
 #include "panels/file_browser.h"
+#include "panels/let_go.h"
+#include "panels/level_sharing.h"
 #include "panels/view_mouse.h"
 #include "panels/widgets.h"
 #include "pipeline/original.h"
@@ -24,13 +27,6 @@ namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A drag that goes on, or a number that is typed, becomes a step of its own first.
-void finishEdits(Editor& editor, UiState& ui) {
-  endViewDrag(editor, ui.mouse, true);
-  letGoOfWidgets();
-  editor.session.finishChange();
-}
 
 // "My first column!" -> "my-first-column"
 std::string fileNameOf(const std::string& title) {
@@ -59,18 +55,29 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
 
 void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   try {
-    editor.session.saveTo(path);
+    const std::vector<std::string> lost = editor.session.saveTo(path);
     rememberLevel(ui, path);
-    editor.message = fmt::format(fmt::runtime(tr("Saved: {}")), path.string());
+    editor.message = withRemarks(trFormat("Saved: {}", path.string()), lost);
   } catch (const Error& error) {
     ui.unsaved.reset();
     ui.notice = Notice{"The level could not be saved", error.what()};
   }
 }
 
+// A level is saved over its own file, but never over its mesh.
+std::vector<fs::path> filesToKeep(const Editor& editor, const FilePurpose& purpose) {
+  const fs::path& path = editor.session.path();
+  std::vector<fs::path> files;
+  if (!path.empty() && purpose != FilePurpose::saveLevel) files.push_back(path);
+  if (auto mesh = meshFileOf(editor.session.level(), path)) files.push_back(std::move(*mesh));
+  return files;
+}
+
 void serveBrowser(Editor& editor, UiState& ui) {
+  if (ui.browser.open) ui.browser.kept = filesToKeep(editor, ui.browser.purpose);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::findMesh)) giveMesh(*path, editor, ui);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
 }
 
@@ -120,10 +127,9 @@ void saveCurrent(Editor& editor, UiState& ui) {
   finishEdits(editor, ui);
   if (!editor.session.isFileChanged()) return saveTo(path, editor, ui);
   browseFiles(ui.browser, FilePurpose::saveLevel, path);
-  ui.browser.problem = fmt::format(
-      fmt::runtime(
-          tr("{} has been changed by another program since it was opened or saved here. Replace it, or "
-             "save under another name.")),
+  ui.browser.problem = trFormat(
+      "{} has been changed by another program since it was opened or saved here. Replace it, or "
+      "save under another name.",
       path.filename().string());
 }
 
@@ -144,14 +150,16 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
   const Box box = originalBox(editor);
   const bool keepSize = editor.session.isThesisScene() && !editor.session.canUndo();
   const std::string name = meshNameFor(mesh, editor.session.path());
-  const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
+  const std::string reading = trFormat("Reading {}", mesh.filename().string());
   editor.job.start(
       editor.session, reading,
-      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
-        const Mesh read = loadMesh(mesh);
+      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level,
+                                                                     const Progress& progress) {
+        const auto [read, warnings] = loadMesh(mesh, {}, &progress.token);
         Box room = box;
+        if (room.empty() && findMissingMesh(level, levelPath)) room = roomInSight(level);
         if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
-          const auto own = loadOriginal(level.original.shape, levelPath);
+          const auto own = loadOriginal(level.original.shape, levelPath, {}, &progress.token).mesh;
           room =
               boundingBox(placeOriginal(*own, level.original.unitize, level.original.placement)->positions);
         }
@@ -163,44 +171,25 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
         } else {
           result = withOriginal(level, FileShape{name}, read, room);
         }
-        return EditResult{
-            result, fmt::format(fmt::runtime(tr("{}: {} vertices, {} triangles")), mesh.filename().string(),
-                                read.positions.size(), read.triangles.size())};
+        std::string message = trFormat("{}: {} vertices, {} triangles", mesh.filename().string(),
+                                       read.positions.size(), read.triangles.size());
+        return EditResult{result, withRemarks(message, warnings)};
       });
 }
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isMeshFile(file)) return importOriginal(editor, file);
+    if (isModelFile(file)) return ui.meshQuestion ? giveMesh(file, editor, ui) : importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
     }
   }
   if (files.empty()) return;
-  ui.notice = Notice{"This cannot be used here",
-                     fmt::format(fmt::runtime(tr("{}: expected a mesh (.obj, .stl, .ply), which takes the "
-                                                 "original's place, or a level (.json), which is opened.")),
-                                 files.front().filename().string())};
-}
-
-void copyLevel(Editor& editor) {
-  if (!ImGui::GetCurrentContext()) return;
-  ImGui::SetClipboardText(levelAsText(editor.session.level(), editor.session.path()).c_str());
-  editor.message = tr("The level is on the clipboard, as text.");
-}
-
-void pasteLevel(Editor& editor, UiState& ui) {
-  if (!ImGui::GetCurrentContext()) return;
-  const char* text = ImGui::GetClipboardText();
-  try {
-    Level level = levelFromText(text ? text : "", editor.session.path());
-    finishEdits(editor, ui);
-    editor.session.edit(std::move(level));
-    editor.message = tr("The level has been pasted; Ctrl+Z takes it back.");
-  } catch (const Error& error) {
-    ui.notice = Notice{"There is no level on the clipboard", error.what()};
-  }
+  ui.notice =
+      Notice{"This cannot be used here", trFormat("{}: expected a mesh (.obj, .stl, .ply), which takes the "
+                                                  "original's place, or a level (.json), which is opened.",
+                                                  files.front().filename().string())};
 }
 
 void rememberLevel(UiState& ui, const fs::path& path) {
@@ -219,6 +208,7 @@ std::vector<std::string> filesBeingWritten(const UiState& ui) {
   std::vector<std::string> files;
   if (ui.exporting.writing) files.push_back(ui.exporting.request.path.string());
   if (!ui.render.saving.empty()) files.push_back(ui.render.saving);
+  if (ui.shot.running) files.push_back(ui.shot.file.empty() ? tr("The picture of the window") : ui.shot.file);
   return files;
 }
 

@@ -28,13 +28,9 @@ void chooseOriginal(Editor& editor, UiState& ui);
 /// For a scene of the thesis it keeps its size, as that scene means it.
 void importOriginal(Editor& editor, const std::filesystem::path& mesh);
 
-/// Files that were dropped on the window: a mesh takes the original's place, a level is opened. Of several
-/// the first that is either.
+/// Files that were dropped on the window: a mesh takes the original's place, or is the one that was asked for, a level is
+/// opened. Of several the first that is either.
 void acceptFiles(const std::vector<std::filesystem::path>& files, Editor& editor, UiState& ui);
-
-/// The whole level as text to the clipboard, and from there; bad text is a notice.
-void copyLevel(Editor& editor);
-void pasteLevel(Editor& editor, UiState& ui);
 
 /// Puts a level of one's own first among the recent ones, and its folder among those.
 void rememberLevel(UiState& ui, const std::filesystem::path& path);

@@ -19,9 +19,10 @@ void drawFinishDialog(std::optional<FinishQuestion>& question, const std::vector
   ImGui::Dummy({0, 6 * static_cast<float>(look.scale)});
   const int pressed = dialogButtons({"Wait and quit", "Stop and quit", "Cancel"}, {!waits});
   if (isEnterTyped(typed) || pressed == 0) question->answer = Answer::wait;
-  if (pressed == 1) question->answer = Answer::stop;
+  const bool stops = isTyped(typed, 'S') || pressed == 1;
+  if (stops) question->answer = Answer::stop;
   const bool cancelled = isTyped(typed, keys::escape) || pressed == 2;
-  if (cancelled || pressed == 1) ImGui::CloseCurrentPopup();
+  if (cancelled || stops) ImGui::CloseCurrentPopup();
   endDialog();
   if (cancelled) question.reset();
 }

@@ -22,32 +22,51 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
   }
   if (*lifted == level) return {std::nullopt, tr("Nothing is hidden: the eye is high enough.")};
   const double higher = lifted->camera.eye.z - level.camera.eye.z;
-  return {lifted,
-          fmt::format(fmt::runtime(tr("The eye is {:.2f} higher now, and nothing is hidden.")), higher)};
+  return {lifted, trFormat("The eye is {:.2f} higher now, and nothing is hidden.", higher)};
+}
+
+EditResult fit(const Level& level, const std::shared_ptr<const Mesh>& placed, const Progress& progress) {
+  auto fitted = originalFittedToMirror(level, placed, 1, progress);
+  if (!fitted) {
+    return {std::nullopt,
+            tr("No size will do here. Put the original behind the mirror first, or move the eye so "
+               "that it sees the middle of the original in the mirror.")};
+  }
+  if (*fitted == level)
+    return {std::nullopt, tr("It cannot be larger without something being hidden or missed.")};
+  const double factor =
+      glm::length(fitted->original.placement.scale) / glm::length(level.original.placement.scale);
+  return {fitted, trFormat("The original is {:.3g} times as large now.", factor)};
+}
+
+// How far the job is, and a way to stop it; whether it runs.
+bool jobProgress(Editor& editor) {
+  if (!editor.job.busy()) return false;
+  const float width = ImGui::CalcTextSize(tr("Cancel")).x + 3 * ImGui::GetStyle().FramePadding.x;
+  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {-width - ImGui::GetStyle().ItemSpacing.x, 0},
+                     editor.job.name().c_str());
+  ImGui::SameLine();
+  if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) editor.job.cancel();
+  return true;
 }
 
 }  // namespace
 
-void fitOriginal(Editor& editor, UiState& ui) {
-  const auto& mesh = editor.updater.result().original.mesh;
-  if (!mesh) return;
+void startFit(Editor& editor) {
   editor.session.finishChange();
-  if (auto fitted = originalFittedToMirror(editor.session.level(), mesh->positions)) {
-    editor.session.edit(std::move(*fitted));
-  } else {
-    ui.notice = Notice{
-        "No size will do",
-        tr("The eye does not see the middle of the original in the mirror. Put the original behind the "
-           "mirror first.")};
-  }
+  editor.job.start(editor.session, tr("Fitting the original"),
+                   [mesh = editor.updater.result().original.mesh](
+                       const Level& level, const Progress& progress) { return fit(level, mesh, progress); });
 }
 
-void fitButton(Editor& editor, UiState& ui) {
-  if (wideButton(
-          "Fit to the mirror",
-          "As large as it can be about its middle while every vertex ray still meets the mirror, less 2 %.",
-          editor.updater.result().original.mesh != nullptr)) {
-    fitOriginal(editor, ui);
+void fitButton(Editor& editor) {
+  if (jobProgress(editor)) return;
+  if (wideButton("Fit to the mirror",
+                 "As large as it can be about its middle while all of it is seen in the mirror and nothing "
+                 "is hidden, less "
+                 "2 %.",
+                 editor.updater.result().original.mesh != nullptr)) {
+    startFit(editor);
   }
 }
 
@@ -70,14 +89,7 @@ void startLift(Editor& editor) {
 }
 
 void liftButton(Editor& editor) {
-  if (editor.job.busy()) {
-    const float width = ImGui::CalcTextSize(tr("Cancel")).x + 3 * ImGui::GetStyle().FramePadding.x;
-    ImGui::ProgressBar(static_cast<float>(editor.job.fraction()),
-                       {-width - ImGui::GetStyle().ItemSpacing.x, 0}, editor.job.name().c_str());
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) editor.job.cancel();
-    return;
-  }
+  if (jobProgress(editor)) return;
   if (wideButton("Lift until nothing is hidden",
                  "The sculpture may stand in its own way. The eye goes up around the original, at the same "
                  "distance, "

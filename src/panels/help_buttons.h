@@ -7,16 +7,16 @@
 
 namespace anamorph {
 
-/// Makes the original as large as the mirror allows; a notice when no size will do.
-void fitButton(Editor& editor, UiState& ui);
+/// Begins the search for the largest original that the mirror shows, in the background; while it runs, how far it
+/// is and a way to stop it.
+void fitButton(Editor& editor);
 /// Puts the original behind the mirror.
 void behindButton(Editor& editor);
-/// Begins the search for an eye that nothing stands in the way of, in the background; while it runs, how far
-/// it is and a way to stop it.
+/// Likewise for an eye that nothing stands in the way of.
 void liftButton(Editor& editor);
 
 /// The same without a button.
-void fitOriginal(Editor& editor, UiState& ui);
+void startFit(Editor& editor);
 void startLift(Editor& editor);
 
 }  // namespace anamorph

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace anamorph {
 namespace {
 
@@ -16,7 +18,7 @@ std::string bareName(int code) {
   for (const Name& known : names) {
     if (known.code == code) return known.name;
   }
-  if (code >= keys::f1 && code <= keys::f12) return "F" + std::to_string(code - keys::f1 + 1);
+  if (code >= keys::f1 && code <= keys::f12) return fmt::format("F{}", code - keys::f1 + 1);
   if (code >= keys::pad0 && code < keys::pad0 + 10) return std::to_string(code - keys::pad0);
   return {static_cast<char>(code)};
 }

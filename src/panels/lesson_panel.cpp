@@ -26,7 +26,7 @@ void drawHead(Editor& editor, UiState& ui) {
   std::string line = stepCount(run);
   if (run.open().optional) line += fmt::format(", {}", tr("optional"));
   quietText(ui, line.c_str());
-  const std::string points = fmt::format(fmt::runtime(tr("{} of {} points")), score.points, score.of);
+  const std::string points = trFormat("{} of {} points", score.points, score.of);
   const float x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(points.c_str()).x;
   ImGui::SameLine(x);
   quietText(ui, points.c_str());
@@ -73,7 +73,7 @@ void drawBadge(const Editor& editor, const UiState& ui) {
   ImGui::SameLine();
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted(tr(run.lesson.badge.title.c_str()));
+    ImGui::TextUnformatted(inOneLine(tr(run.lesson.badge.title)).c_str());
   }
   quietText(ui, run.lesson.badge.text.c_str());
 }
@@ -86,7 +86,7 @@ void drawLesson(Editor& editor, UiState& ui) {
                     ImGuiWindowFlags_NavFlattened);
   scrollToStep(ui.lessonScroll, editor.lesson);
   title(ui, editor.lesson.open().title);
-  drawStepText(editor.lesson, ui);
+  drawStepText(editor.lesson, ui.longTexts, ui);
   drawBadge(editor, ui);
   scrollToNotice(ui.lessonScroll);  // which must not appear below the edge
   ImGui::EndChild();
@@ -96,7 +96,7 @@ void drawLesson(Editor& editor, UiState& ui) {
 void drawDescription(Editor& editor, UiState& ui) {
   const Level& level = editor.session.level();
   title(ui, level.text->title.empty() ? "A level without a title" : level.text->title);
-  paragraph(tr(level.text->description));
+  ui.longTexts.draw(level.text->description);
   if (level.text->title.empty()) quietText(ui, "Give it one in the tab View.");
   ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y});
   if (wideButton("Reset the level", "As it was opened. Can be undone.",

@@ -17,11 +17,11 @@ namespace anamorph {
 namespace {
 
 // Text beside a bar of some colour.
-void barred(const std::string& text, const ImVec4& color, const Look& look) {
+void barred(const std::string& text, const ImVec4& color, LongTexts& texts, const Look& look) {
   const float s = static_cast<float>(look.scale), inset = 11 * s;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Indent(inset);
-  wrappedText(text);
+  texts.draw(text);
   ImGui::Unindent(inset);
   const float to = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
   ImGui::GetWindowDrawList()->AddRectFilled({from.x, from.y}, {from.x + 4 * s, to},
@@ -30,26 +30,20 @@ void barred(const std::string& text, const ImVec4& color, const Look& look) {
 
 }  // namespace
 
-void wrappedText(const std::string& english) {
-  std::string text = tr(english);
-  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 1, "\u00a0");
-  paragraph(text);
-}
-
-void drawStepText(const LessonRun& run, const Look& look) {
+void drawStepText(const LessonRun& run, LongTexts& texts, const Look& look) {
   const LessonStep& step = run.open();
   const Theme theme = look.theme;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  wrappedText(step.why);
+  texts.draw(step.why);
   if (!step.figure.empty()) {
     ImGui::Dummy({0, gap / 2});
     drawFigure(step.figure, look);
   }
   ImGui::Dummy({0, gap / 2});
-  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), look);
+  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), texts, look);
   if (run.done && !step.notice.empty()) {
     ImGui::Dummy({0, gap / 2});
-    barred(step.notice, ink::good(theme), look);
+    barred(step.notice, ink::good(theme), texts, look);
   }
 }
 
@@ -87,7 +81,7 @@ void drawStepDots(Editor& editor, const Look& look) {
 }
 
 std::string stepCount(const LessonRun& run) {
-  return fmt::format(fmt::runtime(tr("Step {} of {}")), run.step + 1, run.lesson.steps.size());
+  return trFormat("Step {} of {}", run.step + 1, run.lesson.steps.size());
 }
 
 bool canShow(const LessonRun& run) {

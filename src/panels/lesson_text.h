@@ -6,11 +6,8 @@
 
 namespace anamorph {
 
-/// In the chosen language, wrapped, with numbers that stay with their percent sign.
-void wrappedText(const std::string& english);
-
 /// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
-void drawStepText(const LessonRun& run, const Look& look);
+void drawStepText(const LessonRun& run, LongTexts& texts, const Look& look);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
 void drawStepDots(Editor& editor, const Look& look);

@@ -50,7 +50,7 @@ void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   const ImVec2 low{p.x + 3 * s, p.y + 3 * s}, high{low.x + side, low.y + side};
   drawThumbnail(entry, ui, low, high);
   drawProgress(entry, editor, ui, right, p.y + height / 2);
-  const std::string title = entry.title.empty() ? entry.name : tr(entry.title);
+  const std::string title = inOneLine(entry.title.empty() ? entry.name : tr(entry.title));
   const ImVec4 color = entry.problem.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.theme);
   ImGui::SetCursorScreenPos({high.x + gap, p.y + (height - ImGui::GetTextLineHeight()) / 2});
   {

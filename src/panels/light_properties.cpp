@@ -33,7 +33,7 @@ void drawLightProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Lights")) {
     const int chosen = editor.selection.part == Part::light ? editor.selection.index : -1;
     for (int i = 0; i < static_cast<int>(level.lights.size()); ++i) {
-      const std::string name = fmt::format(fmt::runtime(tr("Light {}")), i + 1);
+      const std::string name = trFormat("Light {}", i + 1);
       const std::string label = fmt::format("{}###light{}", name, i);
       if (ImGui::Selectable(label.c_str(), i == chosen)) editor.selection = {Part::light, i};
     }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "anamorphosis/contour.h"
 #include "base/language.h"
 #include "panels/style.h"
 
@@ -16,6 +18,26 @@ std::string percent(double fraction, int digits = 2) {
   const double unit = std::pow(10, -digits);
   const double shown = fraction < 1 ? std::min(100 * fraction, 100 - unit) : 100;
   return fmt::format("{:.{}f} %", shown, digits);
+}
+
+std::string pixels(double length, double most = std::numeric_limits<double>::infinity()) {
+  return length < most ? fmt::format("{:.2f} px", length) : fmt::format("> {:g} px", most);
+}
+
+MatchScore::Tone toneOf(MatchGrade grade) {
+  switch (grade) {
+    case MatchGrade::excellent:
+    case MatchGrade::match:
+      return MatchScore::Tone::good;
+    case MatchGrade::partial:
+      return MatchScore::Tone::middling;
+    case MatchGrade::poor:
+    case MatchGrade::none:
+      return MatchScore::Tone::bad;
+    case MatchGrade::tooSmall:
+      break;
+  }
+  return MatchScore::Tone::unknown;
 }
 
 }  // namespace
@@ -36,26 +58,31 @@ MatchScore matchScore(const LevelResult& result) {
   }
   const MatchReport& report = result.match->report;
   const MatchGrade grade = gradeOf(report);
+  const MatchBounds& good = boundsOf(MatchGrade::match);
   score.fraction = report.silhouetteIou;
   // While something moves the picture compared is coarse, and so is the figure.
   score.percent = percent(report.silhouetteIou, result.refined ? 2 : 1);
   score.word = result.refined ? matchGradeName(grade) : "live";
-  score.tone = grade == MatchGrade::none      ? MatchScore::Tone::bad
-               : grade == MatchGrade::partial ? MatchScore::Tone::middling
-                                              : MatchScore::Tone::good;
-  score.help =
-      "How well the reflection agrees with the original seen directly: the share of pixels that both show.";
+  score.tone = toneOf(grade);
+  score.help = findMatchProblem(report).value_or(
+      "How well the reflection agrees with the original seen directly: the "
+      "share of pixels that both show.");
+  if (grade == MatchGrade::tooSmall) score.percent = "-";
   score.parts = {
-      {"Silhouette", percent(report.silhouetteIou), report.silhouetteIou >= 0.99,
+      {"Silhouette", percent(report.silhouetteIou), report.contourPx <= good.contourPx,
        "Pixels that original and reflection both show, of those that either shows (IoU)."},
-      {"Point error", report.comparedPixels > 0 ? fmt::format("{:.2f} px", report.p99Px) : "-",
-       report.comparedPixels > 0 && report.p99Px <= 1,
+      {"Outline", pixels(report.contourPx, farthestContour), report.contourPx <= good.contourPx,
+       "How far the outlines of original and reflection are apart; 99 of 100 points of them are nearer."},
+      {"Point error", report.comparedPixels > 0 ? pixels(report.p99Px) : "-",
+       report.comparedPixels > 0 && report.p99Px <= good.p99Px,
        "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
       {"Hidden", fmt::format("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
-       "Of the original's pixels: the sculpture itself stands between the eye and the mirror. Raise the "
-       "eye."},
+       "Of the original's pixels: the sculpture itself or the floor stands in the way. Raise the eye, or the "
+       "original."},
       {"Missed", fmt::format("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
        "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
+      {"Beside", fmt::format("{:.1f} %", 100 * report.extraShare), report.extraShare <= good.extraShare,
+       "Pixels that show the sculpture beside the original, over the original's pixels."},
   };
   return score;
 }
@@ -63,8 +90,8 @@ MatchScore matchScore(const LevelResult& result) {
 std::string scoreText(const MatchScore& score) {
   const std::string match = matchGradeName(MatchGrade::match);
   // A word of its own where a language has another one for the grade than for what is measured.
-  if (score.word == match) return fmt::format(fmt::runtime(tr("match {}  match")), score.percent);
-  return fmt::format(fmt::runtime(tr("match {}  {}")), score.percent, tr(score.word));
+  if (score.word == match) return trFormat("match {}  match", score.percent);
+  return trFormat("match {}  {}", score.percent, tr(score.word));
 }
 
 ImVec4 scoreColor(const MatchScore& score, Theme theme) {

@@ -23,7 +23,7 @@ struct MatchScore {
 
   double fraction = 0;  ///< silhouette IoU, 0..1
   std::string percent;  ///< "99.95 %", "..." while it is not known
-  std::string word;     ///< "excellent", "match", "partial", "none"
+  std::string word;     ///< "excellent", "match", "partial", "poor", ...
   Tone tone = Tone::unknown;
   std::string help;
   std::vector<MatchPart> parts;

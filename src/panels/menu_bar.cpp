@@ -39,8 +39,7 @@ void recentMenu(UiState& ui) {
     ImGui::PushID(path.c_str());
     if (ImGui::MenuItem(path.filename().c_str(), nullptr, false, there)) ui.requests.open = path;
     ImGui::PopID();
-    tooltip(there ? path.c_str()
-                  : fmt::format(fmt::runtime(tr("{} is not there any more.")), path.string()).c_str());
+    tooltip(there ? path.c_str() : trFormat("{} is not there any more.", path.string()).c_str());
   }
   ImGui::EndMenu();
 }
@@ -58,7 +57,9 @@ void fileMenu(Editor& editor, UiState& ui) {
 }
 
 void editMenu(Editor& editor, UiState& ui) {
-  items({Action::undo, Action::redo, Action::resetLevel, Action::copyLevel, Action::pasteLevel}, editor, ui);
+  items({Action::undo, Action::redo, Action::resetLevel, Action::copyLevel, Action::copyLevelWithMesh,
+         Action::pasteLevel},
+        editor, ui);
   ImGui::Separator();
   items({Action::moveMode, Action::rotateMode, Action::scaleMode, Action::toggleLocal}, editor, ui);
 }
@@ -77,8 +78,8 @@ void viewMenu(Editor& editor, UiState& ui) {
 
 void levelMenu(Editor& editor, UiState& ui) {
   for (const LevelEntry& entry : ui.levels) {
-    const char* title = entry.title.empty() ? entry.name.c_str() : tr(entry.title.c_str());
-    if (ImGui::MenuItem(title, nullptr, isOpen(editor, entry))) ui.requests.open = entry.path;
+    const std::string title = inOneLine(entry.title.empty() ? entry.name : tr(entry.title));
+    if (ImGui::MenuItem(title.c_str(), nullptr, isOpen(editor, entry))) ui.requests.open = entry.path;
   }
   ImGui::Separator();
   items({Action::previousLevel, Action::nextLevel}, editor, ui);

@@ -48,7 +48,7 @@ struct ShapeRows {
     return changed;
   }
   bool operator()(FileShape& file) const {
-    textRow("File", file.path);
+    textRow(file.obj->empty() ? "File" : "Inside the level", file.path);
     return false;
   }
 };
@@ -86,8 +86,7 @@ std::string missedText(const LevelResult& result) {
   constexpr std::array texts{
       "", "{} of {} vertices miss the mirror", "{} of {} vertices are in front of the mirror",
       "{} of {} vertex rays only graze the mirror", "{} of {} vertex rays meet the mirror a second time"};
-  return fmt::format(fmt::runtime(tr(texts.at(static_cast<std::size_t>(worst - counts.begin())))), *worst,
-                     all);
+  return trFormat(fmt::runtime(texts.at(static_cast<std::size_t>(worst - counts.begin()))), *worst, all);
 }
 
 bool placementRows(Placement& placement) {
@@ -109,7 +108,7 @@ void drawOriginalProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
     problemText(ui, missedText(editor.updater.result()));
-    fitButton(editor, ui);
+    fitButton(editor);
     behindButton(editor);
   }
   if (section(ui, "Shown as")) {

@@ -23,7 +23,7 @@ void drawMouseMark(const UiState& ui) {
   list->AddCircle(mouse, (down ? 18 : 24) * s, ink::of(palette::mouseRing, 230), 0, 2.5f * s);
 }
 
-void words(const LessonRun& run, const UiState& ui) {
+void words(const LessonRun& run, UiState& ui) {
   const LessonStep& step = run.open();
   {
     const FontScope strong(ui.fonts.strong);
@@ -33,7 +33,7 @@ void words(const LessonRun& run, const UiState& ui) {
   // What was done while rehearsing is no answer yet.
   const bool notice = run.doneNow && !step.notice.empty();
   if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.theme));
-  wrappedText(notice ? step.notice : step.task);
+  ui.longTexts.draw(notice ? step.notice : step.task);
   if (notice) ImGui::PopStyleColor();
 }
 

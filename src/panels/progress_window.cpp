@@ -22,14 +22,14 @@ void lessonRow(const LevelEntry& entry, const Editor& editor, const Look& look) 
   if (score.badge) drawStar({p.x + size / 2, p.y + size / 2}, size / 2);
   ImGui::Dummy({size, size});
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(tr(entry.title.c_str()));
+  ImGui::TextUnformatted(inOneLine(tr(entry.title)).c_str());
   if (score.badge) {
     quietText(look, fmt::format("{}: {}", tr(entry.lesson.badge.title), tr(entry.lesson.badge.text)).c_str());
   }
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("{} of {} steps")), score.done, score.steps).c_str());
+  ImGui::TextUnformatted(trFormat("{} of {} steps", score.done, score.steps).c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("{} of {} points")), score.points, score.of).c_str());
+  ImGui::TextUnformatted(trFormat("{} of {} points", score.points, score.of).c_str());
 }
 
 // Asked twice, because it cannot be undone.

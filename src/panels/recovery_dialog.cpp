@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include "base/language.h"
@@ -23,7 +22,7 @@ void entryRow(RecoveryDialog& dialog, std::size_t index, const Look& look) {
   ImGui::SetCursorPos(p);
   {
     const FontScope strong(look.fonts.strong);
-    ImGui::TextUnformatted(entry.title.c_str());
+    ImGui::TextUnformatted(inOneLine(entry.title).c_str());
   }
   ImGui::SameLine();
   ImGui::TextDisabled("%s", entry.time.c_str());
@@ -32,7 +31,7 @@ void entryRow(RecoveryDialog& dialog, std::size_t index, const Look& look) {
     ImGui::TextColored(ink::bad(look.theme), "%s", entry.problem.c_str());
   } else if (entry.fileIsNewer) {
     ImGui::TextColored(ink::bad(look.theme), "%s",
-                       fmt::format(fmt::runtime(tr("The file is newer: {}")), entry.level.string()).c_str());
+                       trFormat("The file is newer: {}", entry.level.string()).c_str());
   } else {
     ImGui::TextDisabled(
         "%s", entry.level.empty() ? tr("It was not saved to a file yet") : entry.level.string().c_str());

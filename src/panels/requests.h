@@ -16,11 +16,12 @@ struct ShotRequest {
   std::filesystem::path path;  ///< empty: one is found beside the user's other pictures
 };
 
-/// Taken and cleared by the window after every frame.
+/// Taken and cleared by the GUI or the window after every frame.
 struct UiRequests {
   bool quit = false;
   bool toggleFullscreen = false;
   std::optional<ShotRequest> shot;
+  bool cancelShot = false;
   bool startExport = false, cancelExport = false, checkPrint = false;
   bool startRender = false, cancelRender = false;
   std::optional<std::filesystem::path> saveRender;

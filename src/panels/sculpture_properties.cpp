@@ -66,8 +66,7 @@ void resultRows(const Editor& editor) {
     textRow("Size", fmt::format("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
             "Of its box, scene units.");
   }
-  textRow("Mesh", fmt::format(fmt::runtime(tr("{} vertices, {} triangles")), mesh.positions.size(),
-                              mesh.triangles.size()));
+  textRow("Mesh", trFormat("{} vertices, {} triangles", mesh.positions.size(), mesh.triangles.size()));
   textRow("Vertices", shownStatus(result.sculpture.sculpture->originalStatus),
           "What became of the original's own vertices.");
 }

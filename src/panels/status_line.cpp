@@ -22,8 +22,7 @@ std::string figures(const UiState& ui, const LevelResult& result) {
   std::string text;
   if (result.sculpture.sculpture) {
     const Mesh& mesh = result.sculpture.sculpture->mesh;
-    text = fmt::format(fmt::runtime(tr("{} vertices  {} triangles")), mesh.positions.size(),
-                       mesh.triangles.size());
+    text = trFormat("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
   }
   if (!ui.headless) text += fmt::format("   {:.0f} ms", ui.frameMilliseconds);
   return text;
@@ -38,17 +37,29 @@ void progress(Editor& editor, const UiState& ui) {
   if (ImGui::SmallButton(tr("Cancel"))) editor.updater.cancel();
 }
 
-// An edit that is made in the background.
-void jobProgress(Editor& editor, const UiState& ui) {
+// A level that is being read.
+void openingProgress(Editor& editor, const UiState& ui) {
+  ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
+  const std::string file = editor.opening.path().filename().string();
+  ImGui::TextUnformatted(trFormat("Reading {}", file).c_str());
+  ImGui::SameLine();
+  ImGui::PushID("opening");
+  if (ImGui::SmallButton(tr("Cancel"))) editor.opening.cancel();
+  ImGui::PopID();
+}
+
+// Of something else that is being made. Returns whether it is to be cancelled.
+bool jobProgress(const char* name, double fraction, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
   ImGui::SameLine(0, 24 * s);
-  ImGui::TextUnformatted(editor.job.name().c_str());
+  ImGui::TextUnformatted(name);
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {110 * s, ImGui::GetTextLineHeight()}, "");
+  ImGui::ProgressBar(static_cast<float>(fraction), {110 * s, ImGui::GetTextLineHeight()}, "");
   ImGui::SameLine();
-  ImGui::PushID("job");
-  if (ImGui::SmallButton(tr("Cancel"))) editor.job.cancel();
+  ImGui::PushID(name);
+  const bool cancel = ImGui::SmallButton(tr("Cancel"));
   ImGui::PopID();
+  return cancel;
 }
 
 }  // namespace
@@ -64,10 +75,15 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   const std::string state = stateText(result);
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
-  if (editor.job.busy()) jobProgress(editor, ui);
-  const std::string message = !editor.message.empty()      ? editor.message
-                              : !result.warnings.empty() ? result.warnings.front()
-                                                           : std::string();
+  if (editor.job.busy() && jobProgress(editor.job.name().c_str(), editor.job.fraction(), ui))
+    editor.job.cancel();
+  if (editor.opening.busy()) openingProgress(editor, ui);
+  if (ui.shot.running && jobProgress(tr("The picture is being drawn..."), ui.shot.fraction, ui))
+    ui.requests.cancelShot = true;
+  const std::string message = !editor.message.empty()         ? editor.message
+                              : !result.warnings.empty()      ? result.warnings.front()
+                              : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
+                                                              : std::string();
   const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;

@@ -18,7 +18,9 @@
 #include "panels/keys.h"
 #include "panels/layout.h"
 #include "panels/lesson_scroll.h"
+#include "panels/long_text.h"
 #include "panels/look.h"
+#include "panels/mesh_dialog.h"
 #include "panels/notice_dialog.h"
 #include "panels/preferences.h"
 #include "panels/progress_window.h"
@@ -48,12 +50,18 @@ struct UiState : Look {
   bool headless = false;         ///< a screenshot: nothing that differs from run to run is shown
 
   UiRequests requests;
+  struct ShotProgress {
+    bool running = false;
+    double fraction = 0;
+    std::string file;  ///< where the user wants it; empty: anywhere
+  } shot;              ///< the picture of the window that is being made
 
   // Dialogs, of which one has all keys (panels/dialogs.h).
   std::optional<Notice> notice;
   FileBrowser browser;
   std::optional<UnsavedQuestion> unsaved;
   std::optional<FinishQuestion> finish;
+  std::optional<MeshQuestion> meshQuestion;
   RecoveryDialog recovery;
   DialogKeys dialogKeys;                            ///< since the last frame
   std::vector<std::filesystem::path> recentLevels;  ///< newest first; kept between runs
@@ -71,6 +79,7 @@ struct UiState : Look {
   KeyFocus keyFocus;
   Highlight highlight;
   LessonScroll lessonScroll;
+  LongTexts longTexts;
   PropertyTabs tabs;
   ViewMouse mouse;                      ///< in the 3D view
   std::optional<GridCell> hoveredCell;  ///< in the preview

@@ -16,7 +16,7 @@ std::string leftTitles(const Editor& editor) {
   std::string titles;
   for (const auto& [path, level] : editor.leftLevels) {
     titles += (titles.empty() ? "" : ", ") +
-              tr(level.text->title.empty() ? path.stem().string() : level.text->title);
+              inOneLine(tr(level.text->title.empty() ? path.stem().string() : level.text->title));
   }
   return titles;
 }
@@ -25,9 +25,9 @@ enum class Answer { none = -1, save, drop, cancel };
 
 void aboutThisLevel(const Editor& editor, const Look& look) {
   const Level& level = editor.session.level();
-  const std::string title = level.text->title.empty() ? std::string(tr("This level")) : tr(level.text->title);
-  paragraph(fmt::format(
-      fmt::runtime(tr("\"{}\" has changes that are not saved. Without saving they are lost.")), title));
+  const std::string title =
+      inOneLine(level.text->title.empty() ? tr("This level") : tr(level.text->title).c_str());
+  paragraph(trFormat("\"{}\" has changes that are not saved. Without saving they are lost.", title));
   if (editor.session.isInstalled()) {
     quietText(look, "The level itself stays as it is: you save a copy of your own.");
   } else if (!editor.session.path().empty()) {
@@ -39,9 +39,8 @@ Answer ask(const Editor& editor, const UnsavedQuestion& question, const DialogKe
   const bool modified = editor.session.modified();
   if (modified) aboutThisLevel(editor, look);
   if (question.next == UnsavedQuestion::Next::quit && !editor.leftLevels.empty()) {
-    paragraph(fmt::format(
-        fmt::runtime(tr("Changed and left without saving: {}. The next time they are as they were.")),
-        leftTitles(editor)));
+    paragraph(trFormat("Changed and left without saving: {}. The next time they are as they were.",
+                       leftTitles(editor)));
   }
   ImGui::Dummy({0, 6 * static_cast<float>(look.scale)});
   const bool enter = isEnterTyped(typed);

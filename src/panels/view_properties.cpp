@@ -23,8 +23,9 @@ void languageRow(UiState& ui) {
 void levelWords(Editor& editor) {
   Level level = editor.session.level();
   LevelText text = *level.text;
-  bool changed = textFieldRow("Title", text.title);
-  changed |= textFieldRow("Description", text.description, 4, "Shown when the level has no lesson.");
+  bool changed = textFieldRow("Title", text.title, limits::mostTitleBytes);
+  changed |= textFieldRow("Description", text.description, limits::mostTextBytes, 4,
+                          "Shown when the level has no lesson.");
   if (!changed) return;
   level.text = std::move(text);
   editor.session.change(std::move(level));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -10,6 +11,7 @@
 #include "edit/level_repairs.h"
 #include "panels/help_buttons.h"
 #include "panels/highlight.h"
+#include "panels/level_sharing.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 #include "raytrace/ray_looks.h"
@@ -24,6 +26,11 @@ constexpr int floating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
 
 float scaled(const UiState& ui, float length) {
   return length * static_cast<float>(ui.scale);
+}
+
+// At most so wide, and no wider than leaves something of the view.
+float wrapAt(const UiState& ui, float width) {
+  return std::min(scaled(ui, width), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60)));
 }
 
 // The window that has just begun goes in front of the view and behind everything else: Dear ImGui has no flag for
@@ -53,7 +60,7 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void repairButtons(Editor& editor, UiState& ui) {
+void sceneRepairs(Editor& editor) {
   const Level& level = editor.session.level();
   const Box box = originalBox(editor);
   const Level outside = eyeMovedOutside(level, box);
@@ -63,12 +70,21 @@ void repairButtons(Editor& editor, UiState& ui) {
   } else if (!findProblem(level.optic)) {
     const Level behind = originalMovedBehind(level, box);
     if (behind == level && !box.empty()) {
-      if (ImGui::Button(tr("Fit to the mirror"))) fitOriginal(editor, ui);
+      if (ImGui::Button(tr("Fit to the mirror"))) startFit(editor);
       ImGui::SameLine();
     } else if (!(behind == level)) {
       if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
       ImGui::SameLine();
     }
+  }
+}
+
+void repairButtons(Editor& editor, UiState& ui) {
+  const bool isRead = editor.updater.result().shape != nullptr;
+  if (isRead) sceneRepairs(editor);
+  if (!isRead && std::holds_alternative<FileShape>(editor.session.level().original.shape)) {
+    if (ImGui::Button(tr("Look for the mesh..."))) askForMesh(editor, ui);
+    ImGui::SameLine();
   }
   if (editor.session.canUndo()) {
     if (ImGui::Button(tr("Undo"))) editor.session.undo();
@@ -117,10 +133,7 @@ void drawProblem(Editor& editor, UiState& ui) {
     const FontScope strong(ui.fonts.strong);
     ImGui::TextColored(ink::bad(ui.theme), "%s", tr("There is no sculpture"));
   }
-  ImGui::PushTextWrapPos(
-      std::min(scaled(ui, 460), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
-  ImGui::TextUnformatted(capitalised(*problem).c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(capitalised(*problem), wrapAt(ui, 460));
   repairButtons(editor, ui);
   ImGui::End();
 }
@@ -128,10 +141,9 @@ void drawProblem(Editor& editor, UiState& ui) {
 void drawViewProblem(const UiState& ui) {
   if (ui.viewProblem.empty()) return;
   beginFloating(ui, "##view-problem", {0, 0}, 0.94f, 6);
-  ImGui::PushTextWrapPos(
-      std::min(scaled(ui, 320), std::max(scaled(ui, 160), ui.layout.view.width - scaled(ui, 60))));
-  ImGui::TextColored(ink::middling(ui.theme), "%s", capitalised(ui.viewProblem).c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::PushStyleColor(ImGuiCol_Text, ink::middling(ui.theme));
+  paragraph(capitalised(ui.viewProblem), wrapAt(ui, 320));
+  ImGui::PopStyleColor();
   ImGui::End();
 }
 

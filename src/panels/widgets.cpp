@@ -8,13 +8,16 @@
 #include <imgui_stdlib.h>
 
 #include "base/language.h"
+#include "base/text.h"
 #include "panels/highlight.h"
 #include "panels/style.h"
+#include "panels/typing_limit.h"
 
 namespace anamorph {
 namespace {
 
-constexpr float nameFraction = 0.40f;  // of the width
+constexpr float nameFraction = 0.40f;             // of the width
+constexpr std::size_t mostParagraphBytes = 4000;  // Dear ImGui ends the program at 16384 letters
 
 // Outlines the row that begins here when it is pointed at.
 void highlightRow(const char* name, float width) {
@@ -177,17 +180,21 @@ bool choiceRow(const char* name, int& value, const std::vector<const char*>& cho
   return changed;
 }
 
-bool textFieldRow(const char* name, std::string& value, int lines, const char* help) {
+bool textFieldRow(const char* name, std::string& value, std::size_t most, int lines, const char* help) {
+  TypingLimit limit(value, most);
   if (lines <= 1) {
     beginRow(name, help);
-    const bool changed = ImGui::InputText("##value", &value);
+    const bool changed = ImGui::InputText("##value", &value, ImGuiInputTextFlags_CallbackCharFilter,
+                                          TypingLimit::filter, &limit);
     endRow(help);
     return changed;
   }
   ImGui::PushID(name);
   ImGui::TextUnformatted(tr(name));
   const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
-  const bool changed = ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height});
+  const bool changed =
+      ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height}, ImGuiInputTextFlags_CallbackCharFilter,
+                                TypingLimit::filter, &limit);
   highlightItem(name);
   tooltip(help);
   ImGui::PopID();
@@ -234,16 +241,15 @@ void tooltip(const char* text) {
   // Below the control, or above it at the lower edge: under the mouse it would cover what it tells of.
   const float wide = ImGui::GetFontSize() * 22, gap = 4;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = io.DisplaySize;
-  const ImVec2 extent = ImGui::CalcTextSize(tr(text), nullptr, false, wide);
+  const std::string shown = shortened(tr(text), mostParagraphBytes);
+  const ImVec2 extent = ImGui::CalcTextSize(shown.c_str(), nullptr, false, wide);
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   const bool below = high.y + gap + extent.y + 2 * padding.y < size.y;
   const float x = std::max(0.0f, std::min(low.x, size.x - extent.x - 2 * padding.x));
   ImGui::SetNextWindowPos({x, below ? high.y + gap : low.y - gap}, ImGuiCond_Always,
                           {0, below ? 0.0f : 1.0f});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(wide);
-  ImGui::TextUnformatted(tr(text));
-  ImGui::PopTextWrapPos();
+  paragraph(shown, wide);
   ImGui::EndTooltip();
 }
 
@@ -257,10 +263,18 @@ bool closePopups() {
   return true;
 }
 
-void paragraph(const std::string& text) {
-  ImGui::PushTextWrapPos();
-  ImGui::TextUnformatted(text.c_str());
+void paragraph(const std::string& text, float wrapAt) {
+  ImGui::PushTextWrapPos(wrapAt);
+  ImGui::TextUnformatted(shortened(text, mostParagraphBytes).c_str());
   ImGui::PopTextWrapPos();
+}
+
+float paragraphHeight(const std::string& text, float width) {
+  return ImGui::CalcTextSize(shortened(text, mostParagraphBytes).c_str(), nullptr, false, width).y;
+}
+
+std::string inOneLine(const std::string& text) {
+  return shortened(text, 300);
 }
 
 void quietText(const Look& look, const char* text) {

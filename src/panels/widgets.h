@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,10 @@ bool checkRow(const char* name, bool& value, const char* help = "");
 /// Linear light in, linear light out; shown and picked as displays show it.
 bool colorRow(const char* name, Color& value, const char* help = "");
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help = "");
-/// A line of text that can be typed; `lines` > 1: a field of so many lines below the name.
-bool textFieldRow(const char* name, std::string& value, int lines = 1, const char* help = "");
+/// A line of text that can be typed, up to so many bytes (what does not go in is not taken); `lines` > 1: a field of so
+/// many lines below the name.
+bool textFieldRow(const char* name, std::string& value, std::size_t most, int lines = 1,
+                  const char* help = "");
 void textRow(const char* name, const std::string& value, const char* help = "");
 
 /// A five-pointed star, for badges.
@@ -63,8 +66,14 @@ void letGoOfWidgets();
 /// Closes an open menu, list or colour picker. Returns whether there was one.
 bool closePopups();
 
-/// Wrapped text, shown as it is.
-void paragraph(const std::string& text);
+/// Wrapped text, shown as it is, at `wrapAt` in the window (0: at its right edge). What no message needs is cut off:
+/// texts that may be long are drawn by LongTexts.
+void paragraph(const std::string& text, float wrapAt = 0);
+/// How high it is in so much room.
+float paragraphHeight(const std::string& text, float width);
+
+/// A title or a name, cut where it is longer than any line.
+std::string inOneLine(const std::string& text);
 
 /// Wrapped text of second rank.
 void quietText(const Look& look, const char* text);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "pipeline/memo.h"
+#include "pipeline/original.h"
 #include "pipeline/picture.h"
 
 namespace anamorph {
@@ -75,7 +76,7 @@ class Evaluator {
   void takePictures(LevelResult& result, int previewSize, int threads, const OnPart& onPart,
                     const Progress& progress);
 
-  Memo<ShapeKey, std::shared_ptr<const Mesh>> shape_;
+  Memo<ShapeKey, LoadedOriginal> shape_;
   Memo<PlaceKey, PreparedMesh> original_;
   Memo<DeformInput, PreparedSculpture> sculpture_;
   Memo<MatchInput, SharedMatch> match_, previewMatch_;

@@ -29,6 +29,7 @@ struct LevelResult {
   PreparedSculpture sculpture;         ///< without triangles when there is a problem
   std::optional<std::string> problem;  ///< why there is no sculpture, and what to do
   std::vector<std::string> warnings;
+  std::vector<std::string> shapeWarnings;  ///< about the file that the shape was read from
   std::shared_ptr<const Match> match;
   Previews previews;
   bool refined = false;   ///< the sculpture is as fine as the level asks for

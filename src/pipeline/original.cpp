@@ -14,28 +14,34 @@ namespace {
 struct ShapeMaker {
   const std::filesystem::path& levelPath;
   const MeshLimits& limits;
+  const CancelToken* token;
 
-  Mesh operator()(const BoxShape& s) const { return makeBox(s.size, s.segments); }
-  Mesh operator()(const SphereShape& s) const { return makeSphere(s.radius, s.segments); }
-  Mesh operator()(const TorusKnotShape& s) const {
-    return makeTorusKnot(s.p, s.q, s.tubeRadius, s.segments, s.sides);
+  LoadedMesh operator()(const BoxShape& s) const { return {makeBox(s.size, s.segments), {}}; }
+  LoadedMesh operator()(const SphereShape& s) const { return {makeSphere(s.radius, s.segments), {}}; }
+  LoadedMesh operator()(const TorusKnotShape& s) const {
+    return {makeTorusKnot(s.p, s.q, s.tubeRadius, s.segments, s.sides), {}};
   }
-  Mesh operator()(const LetterFShape& s) const { return makeLetterF(s.height, s.segments); }
-  Mesh operator()(const PawnShape& s) const { return makePawn(s.height, s.segments); }
-  Mesh operator()(const FileShape& s) const {
+  LoadedMesh operator()(const LetterFShape& s) const { return {makeLetterF(s.height, s.segments), {}}; }
+  LoadedMesh operator()(const PawnShape& s) const { return {makePawn(s.height, s.segments), {}}; }
+  LoadedMesh operator()(const FileShape& s) const {
+    const bool isInside = !s.obj->empty();
     try {
-      return loadMesh(modelPath(s, levelPath), limits);
+      if (!isInside) return loadMesh(modelPath(s, levelPath), limits, token);
+      const auto name = std::filesystem::path(s.path).filename().replace_extension(".obj");
+      return readMesh(*s.obj, name.string(), limits);
     } catch (const Error& error) {
-      throw Error(error.what(), levelPath.string(), "/original/shape/path");
+      throw Error(error.what(), levelPath.string(),
+                  isInside ? "/original/shape/obj" : "/original/shape/path");
     }
   }
 };
 
 }  // namespace
 
-std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                                         const MeshLimits& limits) {
-  return std::make_shared<const Mesh>(std::visit(ShapeMaker{levelPath, limits}, shape));
+LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
+                            const MeshLimits& limits, const CancelToken* token) {
+  LoadedMesh loaded = std::visit(ShapeMaker{levelPath, limits, token}, shape);
+  return {std::make_shared<const Mesh>(std::move(loaded.mesh)), std::move(loaded.warnings)};
 }
 
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement) {

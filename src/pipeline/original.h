@@ -4,16 +4,23 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "geometry/mesh_files.h"
 #include "level/level.h"
 
 namespace anamorph {
 
-/// The level's own original, before it is placed: a built-in shape, or a mesh file beside the level. Throws
-/// Error.
-std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                                         const MeshLimits& limits = {});
+struct LoadedOriginal {
+  std::shared_ptr<const Mesh> mesh;
+  std::vector<std::string> warnings;  ///< about its file, as loadMesh has them
+};
+
+/// The level's own original, before it is placed: a built-in shape, a mesh file beside the level, or a mesh inside it.
+/// Throws Error, and Cancelled as readFile does.
+LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
+                            const MeshLimits& limits = {}, const CancelToken* token = nullptr);
 
 /// In scene coordinates: unitized when asked, then scaled, rotated and moved.
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement);

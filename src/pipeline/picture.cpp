@@ -48,9 +48,11 @@ std::pair<int, int> pictureSize(const PixelGrid& grid, int longerSide) {
   return {std::max(1, int(std::lround(columns * scale))), std::max(1, int(std::lround(rows * scale)))};
 }
 
-Match matchLevel(const LevelResult& result, int width, int height, int threads, const Progress& progress) {
-  return computeMatch(makeMatchInput(result.level, result.original, result.sculpture, width, height), threads,
-                      progress);
+Match matchLevel(const LevelResult& result, int width, int height, int threads, const Progress& progress,
+                 std::shared_ptr<const Bvh> obstacle) {
+  MatchInput input = makeMatchInput(result.level, result.original, result.sculpture, width, height);
+  input.obstacle = std::move(obstacle);
+  return computeMatch(input, threads, progress);
 }
 
 ImageRequest makeImageRequest(const LevelScene& level, int width, int height, int threads) {

@@ -20,9 +20,10 @@ enum class PictureKind {
 /// 0: the pixel grid itself.
 std::pair<int, int> pictureSize(const PixelGrid& grid, int longerSide);
 
-/// The match report of a level that has a sculpture, for an image of this size.
+/// The match report of a level that has a sculpture, for an image of this size. `obstacle`: something that stands
+/// there beside the sculpture, a base plate.
 Match matchLevel(const LevelResult& result, int width, int height, int threads = 1,
-                 const Progress& progress = {});
+                 const Progress& progress = {}, std::shared_ptr<const Bvh> obstacle = nullptr);
 
 /// The request the level asks for, at a size.
 ImageRequest makeImageRequest(const LevelScene& level, int width, int height, int threads);

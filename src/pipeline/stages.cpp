@@ -1,6 +1,7 @@
 #include "pipeline/stages.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,17 +52,19 @@ bool hasArea(const Sculpture& sculpture) {
   });
 }
 
-// `in` gives the language.
-std::string statusIn(const StatusCounts& counts, const char* (*in)(const char* english)) {
-  std::size_t total = 0;
+std::size_t totalOf(const StatusCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+// How many are mapped, and why the others are not; `in` gives the language.
+std::string statusIn(const std::string& mapped, const StatusCounts& counts,
+                     const char* (*in)(const char* english)) {
   std::string rest;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    total += counts[i];
-    if (i == 0 || counts[i] == 0) continue;
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
     rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
                         in(pathStatusName(static_cast<PathStatus>(i))));
   }
-  const std::string mapped = fmt::format(fmt::runtime(in("{} of {} vertices mapped")), counts[0], total);
   return rest.empty() ? mapped : mapped + " (" + rest + ")";
 }
 
@@ -105,14 +108,12 @@ std::optional<std::string> findProblem(const LevelScene& level, const Box& box) 
 std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
   if (hasArea(sculpture)) return std::nullopt;
   const StatusCounts& counts = sculpture.originalStatus;
-  std::size_t total = 0;
-  for (const std::size_t count : counts) total += count;
+  const std::size_t total = totalOf(counts);
   const auto worst = std::max_element(counts.begin() + 1, counts.end());
   if (*worst == 0)
     return tr("no triangle of the original has an area, so there is nothing to see in the mirror.");
-  return fmt::format(
-      fmt::runtime(tr("no triangle of the original can be mapped. For {} of its {} vertices, {}.")), *worst,
-      total, explainStatus(static_cast<PathStatus>(worst - counts.begin())));
+  return trFormat("no triangle of the original can be mapped. For {} of its {} vertices, {}.", *worst, total,
+                  explainStatus(static_cast<PathStatus>(worst - counts.begin())));
 }
 
 PreparedSculpture emptySculpture(const StatusCounts& counts) {
@@ -122,11 +123,13 @@ PreparedSculpture emptySculpture(const StatusCounts& counts) {
 }
 
 std::string statusSentence(const StatusCounts& counts) {
-  return statusIn(counts, [](const char* english) { return english; });
+  const std::string mapped = fmt::format("{} of {} vertices mapped", counts[0], totalOf(counts));
+  return statusIn(mapped, counts, [](const char* english) { return english; });
 }
 
 std::string shownStatus(const StatusCounts& counts) {
-  return statusIn(counts, [](const char* english) { return tr(english); });
+  const std::string mapped = trFormat("{} of {} vertices mapped", counts[0], totalOf(counts));
+  return statusIn(mapped, counts, [](const char* english) { return tr(english); });
 }
 
 std::vector<std::string> findWarnings(const LevelScene& level, const PreparedSculpture& prepared) {
@@ -135,24 +138,24 @@ std::vector<std::string> findWarnings(const LevelScene& level, const PreparedScu
   const StatusCounts& counts = sculpture.originalStatus;
   if (std::any_of(counts.begin() + 1, counts.end(), [](std::size_t count) { return count > 0; })) {
     const bool ownVertices = level.sculpture.tolerancePixels == 0;
-    const char* sentence =
-        ownVertices
-            ? "{}; faces with an unmapped corner are left out, their vertices keep the original's position"
-            : "{}; faces with an unmapped corner are left out";
-    warnings.push_back(fmt::format(fmt::runtime(tr(sentence)), shownStatus(counts)));
+    const std::string status = shownStatus(counts);
+    warnings.push_back(ownVertices ? trFormat("{}; faces with an unmapped corner are left out, their "
+                                              "vertices keep the original's position",
+                                              status)
+                                   : trFormat("{}; faces with an unmapped corner are left out", status));
   }
   if (sculpture.budgetHit) {
-    warnings.push_back(fmt::format(
-        fmt::runtime(tr("refinement stopped at the budget of {} triangles, where an edge is still {:.2g} px "
-                        "off; raise maxTriangles in the level, or the tolerance")),
-        level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
+    warnings.push_back(
+        trFormat("refinement stopped at the budget of {} triangles, where an edge is still {:.2g} px "
+                 "off; raise maxTriangles in the level, or the tolerance",
+                 level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
   }
   const double lowest = prepared.prepared.box.min.z;
   if (level.ground.visible && lowest < level.ground.height - 1e-9) {
-    warnings.push_back(fmt::format(
-        fmt::runtime(tr("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
-                        "the original, change the depth scale, or hide the ground")),
-        level.ground.height - lowest));
+    warnings.push_back(
+        trFormat("the sculpture reaches {:.3g} below the ground, where pictures do not show it; raise "
+                 "the original, change the depth scale, or hide the ground",
+                 level.ground.height - lowest));
   }
   return warnings;
 }
@@ -183,10 +186,28 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
   return {shared, prepare(mesh, &shared->original, threads)};
 }
 
+std::optional<std::string> findMatchProblem(const MatchReport& report) {
+  if (gradeOf(report) != MatchGrade::tooSmall) return std::nullopt;
+  if (report.originalPixels == 0) {
+    return tr(
+        "from this eye the original covers no pixel: turn the eye to it, or move one of them so that it "
+        "is not seen edge-on");
+  }
+  if (report.originalPixels == 1)
+    return tr("from this eye the original covers 1 pixel: come nearer or narrow the field of view");
+  return trFormat("from this eye the original covers {} pixels: come nearer or narrow the field of view",
+                  report.originalPixels);
+}
+
 MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height) {
-  return {original.mesh, original.bvh, sculpture.sculpture, sculpture.prepared.bvh, level.optic, level.camera,
-          width,         height};
+  MatchInput input{original.mesh,          original.bvh, sculpture.sculpture,
+                   sculpture.prepared.bvh, level.optic,  level.camera};
+  const SceneInput scene = makeReflectionScene(level, sculpture);
+  if (scene.ground) input.floor = floorOf(*scene.ground, measureScene(boxOf(scene)));
+  input.width = width;
+  input.height = height;
+  return input;
 }
 
 SceneInput makeReflectionScene(const LevelScene& level, const PreparedSculpture& sculpture) {

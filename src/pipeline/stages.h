@@ -70,6 +70,9 @@ PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
 /// curved sculpture keeps them.
 PreparedSculpture prepareSculpture(Sculpture sculpture, int threads = 1);
 
+/// Why a match has no grade, and what to do about it; nothing when it has.
+std::optional<std::string> findMatchProblem(const MatchReport& report);
+
 MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height);
 

@@ -1,8 +1,25 @@
 #include "pipeline/worker.h"
 
+#include <chrono>
 #include <exception>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace anamorph {
+namespace {
+
+// The window comes first where there are few processors. Threads that are started by this one inherit it.
+void makeWayForFrames() {
+#ifdef __linux__
+  constexpr int niceness = 10;
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness);
+#endif
+}
+
+}  // namespace
 
 Worker::Worker(std::function<void()> wake) : wake_(std::move(wake)), thread_([this] { loop(); }) {}
 
@@ -13,7 +30,7 @@ Worker::~Worker() {
     waiting_ = nullptr;
     if (running_) running_->cancel();
   }
-  changed_.notify_one();
+  changed_.notify_all();
   thread_.join();
 }
 
@@ -24,7 +41,7 @@ void Worker::request(Job job) {
     failure_.reset();
     if (running_) running_->cancel();
   }
-  changed_.notify_one();
+  changed_.notify_all();
 }
 
 void Worker::cancel() {
@@ -39,6 +56,12 @@ bool Worker::busy() const {
   return waiting_ || running_;
 }
 
+bool Worker::waitForEnd(double seconds) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                           [this] { return !waiting_ && !running_; });
+}
+
 double Worker::fraction() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return fraction_;
@@ -50,6 +73,7 @@ std::optional<std::string> Worker::takeFailure() {
 }
 
 void Worker::loop() {
+  makeWayForFrames();
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || waiting_; });
@@ -67,6 +91,8 @@ void Worker::loop() {
     };
     try {
       job(Progress{report, token});
+    } catch (const Cancelled&) {
+      // Then nobody waits for it.
     } catch (const std::exception& error) {
       failure = error.what();
     }
@@ -76,6 +102,7 @@ void Worker::loop() {
     running_.reset();
     if (failure && !token.cancelled()) failure_ = std::move(failure);
     lock.unlock();
+    changed_.notify_all();
     if (wake_) wake_();
     lock.lock();
   }

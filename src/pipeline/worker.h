@@ -56,6 +56,8 @@ class Worker {
   void cancel();
 
   bool busy() const;
+  /// Waits until nothing runs or waits any more, at most so long; returns whether that is so.
+  bool waitForEnd(double seconds);
   /// How far the running job is, 0..1.
   double fraction() const;
   /// The message of the last job when it threw, once. Forgotten with the next request() or cancel().

@@ -43,12 +43,12 @@ std::string encodePng(const Bitmap& bitmap) {
   return png;
 }
 
-void savePng(const std::filesystem::path& path, const Bitmap& bitmap) {
-  writeFile(path, encodePng(bitmap));
+std::vector<std::string> savePng(const std::filesystem::path& path, const Bitmap& bitmap) {
+  return writeFile(path, encodePng(bitmap));
 }
 
-void savePng(const std::filesystem::path& path, const Image& image) {
-  savePng(path, toBitmap(image));
+std::vector<std::string> savePng(const std::filesystem::path& path, const Image& image) {
+  return savePng(path, toBitmap(image));
 }
 
 Bitmap loadPng(const std::filesystem::path& path) {

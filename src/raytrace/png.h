@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "raytrace/image.h"
 
@@ -13,9 +14,10 @@ namespace anamorph {
 /// limit here (2^30 bytes).
 std::string encodePng(const Bitmap& bitmap);
 
-/// Writes the picture as PNG; replaces the file atomically. Throws Error.
-void savePng(const std::filesystem::path& path, const Bitmap& bitmap);
-void savePng(const std::filesystem::path& path, const Image& image);
+/// Writes the picture as PNG; replaces the file atomically. Returns what could not be kept of the file that was replaced. Throws
+/// Error.
+std::vector<std::string> savePng(const std::filesystem::path& path, const Bitmap& bitmap);
+std::vector<std::string> savePng(const std::filesystem::path& path, const Image& image);
 
 /// Reads a PNG as RGB or RGBA, whichever it has (grey becomes RGB). Throws Error.
 Bitmap loadPng(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "raytrace/look.h"
 
 namespace anamorph {
 namespace {
@@ -32,6 +33,10 @@ SceneMeasure measureScene(const Box& box) {
   const Vector farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
   measure.epsilon = relativeEpsilon * std::max({measure.radius, farthest.x, farthest.y, farthest.z});
   return measure;
+}
+
+Floor floorOf(const Ground& ground, const SceneMeasure& measure) {
+  return {ground.height, measure.centre, look::fadeEnd * measure.radius};
 }
 
 Box boxOf(const SceneInput& input) {

@@ -18,6 +18,7 @@
 #include "geometry/mesh.h"
 #include "geometry/normals.h"
 #include "math/box.h"
+#include "optics/floor.h"
 #include "optics/material.h"
 #include "optics/optic.h"
 
@@ -76,6 +77,9 @@ struct SceneMeasure {
   bool operator==(const SceneMeasure&) const = default;
 };
 SceneMeasure measureScene(const Box& box);
+
+/// The ground as far as it can be told from the background.
+Floor floorOf(const Ground& ground, const SceneMeasure& measure);
 
 /// The box of the surfaces and the optic.
 Box boxOf(const SceneInput& input);

@@ -13,17 +13,14 @@ double smoothStep(double from, double to, double x) {
   return s * s * (3 - 2 * s);
 }
 
-// Seen from above only. Nothing where it has faded away.
+// Nothing where it has faded away.
 std::optional<SceneHit> intersectGround(const RenderScene& scene, const Ray& ray, double tMax) {
-  const double above = ray.origin.z - scene.input.ground->height;
-  if (!(above > 0) || !(ray.direction.z < 0)) return std::nullopt;
-  const double t = above / -ray.direction.z;
-  if (!(t < tMax)) return std::nullopt;
-  SceneHit hit{{ObjectKind::ground, 0}, t, ray.at(t), {0, 0, 1}, {0, 0, 1}, 0};
+  const auto t = intersect(floorOf(*scene.input.ground, scene), ray, tMax);
+  if (!t) return std::nullopt;
+  SceneHit hit{{ObjectKind::ground, 0}, *t, ray.at(*t), {0, 0, 1}, {0, 0, 1}, 0};
   hit.point.z = scene.input.ground->height;
   const double away = std::hypot(hit.point.x - scene.centre.x, hit.point.y - scene.centre.y) / scene.radius;
   hit.groundFade = smoothStep(look::fadeStart, look::fadeEnd, away);
-  if (!(hit.groundFade < 1)) return std::nullopt;
   return hit;
 }
 

@@ -54,16 +54,16 @@ void LinePass::update(const std::shared_ptr<const std::vector<Line>>& lines, con
   count_ = static_cast<int>(texels.size() / 3);
   if (count_ == 0) return;
   texels_.reserve(std::array{texels.size()});
-  texels_.write(0, texels.data(), texels.size());
+  texels_.write(0, 0, texels.data(), texels.size());
 }
 
-void LinePass::draw(const Texture& depth, double pixelScale) {
-  if (empty()) return;
+void LinePass::draw(const Texture& depth, double pixelScale, int from, int to) {
   texels_.bind(lineUnit);
   depth.bind(depthUnit);
   program_.use();
   program_.set("pixelScale", static_cast<float>(pixelScale));
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, count_);
+  program_.set("first", from);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, to - from);
 }
 
 }  // namespace anamorph

@@ -17,11 +17,11 @@ class LinePass {
 
   /// Uploads the lines when they or the origin have changed. Null: none.
   void update(const std::shared_ptr<const std::vector<Line>>& lines, const Point& origin);
-  bool empty() const { return count_ == 0; }
+  int count() const { return count_; }
 
-  /// Into the current framebuffer, over what is there. `depth`: shaders/camera.glsl, lineDepth().
-  /// `pixelScale`: pixels for one of a line's width.
-  void draw(const Texture& depth, double pixelScale);
+  /// Lines [from, to) of count(), into the current framebuffer, over what is there. `depth`: shaders/camera.glsl,
+  /// lineDepth(). `pixelScale`: pixels for one of a line's width.
+  void draw(const Texture& depth, double pixelScale, int from, int to);
 
  private:
   ShaderProgram program_;

@@ -39,11 +39,6 @@ Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const Surfa
   return {middle - radius, middle + radius};
 }
 
-/// Pixels from the lower left.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Where on the picture a box is seen, with a margin. The whole picture when some of it is behind the eye.
 PixelRect seenRect(const Box& box, const SceneBlock& scene, const Point& origin, double margin) {
   const glm::vec2 size(scene.right.w, scene.up.w);
@@ -89,44 +84,74 @@ bool OutlinePass::wanted(const ViewportInput& input, const Visible& visible) {
          selection.index < std::min<int>(static_cast<int>(input.level.lights.size()), gpuLightLimit);
 }
 
-void OutlinePass::draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-                       const Point& origin, const SurfaceSlots& slots, const Visible& visible,
-                       double pixelScale) {
+void OutlinePass::add(Piecework& work, const Framebuffer& target, const ViewportInput& input,
+                      const SceneBlock& scene, const Point& origin, const SurfaceSlots& slots,
+                      const Visible& visible, double pixelScale) {
   if (mask_.width() != target.width() || mask_.height() != target.height()) {
     mask_ = Framebuffer();
     mask_ = Framebuffer(target.width(), target.height(), {TexelFormat::r8}, false, true);
   }
-  mask_.bind();
-  glDisable(GL_BLEND);
-  const GLfloat nothing[] = {0, 0, 0, 0};
-  glClearBufferfv(GL_COLOR, 0, nothing);
+  work.add(1, [this](int, int) {
+    mask_.bind();
+    const GLfloat nothing[] = {0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, nothing);
+  });
   const double width = outlineWidth * pixelScale;
   const PixelRect rect = seenRect(selectedBox(input, scene, slots), scene, origin, width + 2);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(rect.x, rect.y, rect.width, rect.height);
+  const Bands bands(rect);
   if (const auto mesh = selectedMesh(input.selection)) {
-    const int i = static_cast<int>(*mesh), triangles = slots[i].triangles;
-    const bool traced = triangles > 0 && fasterTraced(triangles, mask_);
-    ShaderProgram& program = traced ? traced_ : mesh_;
-    program.use();
-    program.set(traced ? "wanted" : "surface", traced ? 1 << i : i);
-    glDrawArrays(GL_TRIANGLES, 0, traced ? 3 : 3 * triangles);
+    addMesh(work, *mesh, slots, rect);
   } else {
-    ShaderProgram& plain = plain_[visible.mirror];
-    if (plain.empty()) {
-      plain = makeSceneProgram("full_screen.vert.glsl", "plain_mask.frag.glsl", sceneOptions(visible.mirror));
-    }
-    plain.use();
-    plain.set("light", input.selection.part == Part::light ? input.selection.index : -1);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    addPlain(work, input.selection, visible.mirror, bands);
   }
-  target.bind();
-  glEnable(GL_BLEND);
-  mask_.color().bind(maskUnit);
-  outline_.use();
-  outline_.set("width", static_cast<float>(width));
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_SCISSOR_TEST);
+  work.add(bands.count(), [this, &target, bands, width](int from, int to) {
+    target.bind();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    mask_.color().bind(maskUnit);
+    outline_.use();
+    outline_.set("width", static_cast<float>(width));
+    bands.draw(from, to, drawFullScreen);
+    glDisable(GL_BLEND);
+  });
+}
+
+void OutlinePass::addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots,
+                          const PixelRect& rect) {
+  const int i = static_cast<int>(mesh), count = slots[i].triangles;
+  const Bands bands(rect);
+  if (count > 0 && fasterTraced(count, mask_)) {
+    work.add(bands.count(), [this, i, bands](int from, int to) {
+      mask_.bind();
+      traced_.use();
+      traced_.set("wanted", 1 << i);
+      bands.draw(from, to, drawFullScreen);
+    });
+    return;
+  }
+  const ListPieces triangles = trianglePieces(count);
+  work.add(triangles.count(), [this, i, bands, triangles](int from, int to) {
+    mask_.bind();
+    mesh_.use();
+    mesh_.set("surface", i);
+    bands.draw(0, bands.count(), [&] { drawTriangles(triangles, from, to); });
+  });
+}
+
+void OutlinePass::addPlain(Piecework& work, const Selection& selection, const std::string& mirror,
+                           const Bands& bands) {
+  work.add(1, [this, mirror](int, int) {
+    ShaderProgram& plain = plain_[mirror];
+    if (plain.empty())
+      plain = makeSceneProgram("full_screen.vert.glsl", "plain_mask.frag.glsl", sceneOptions(mirror));
+  });
+  const int light = selection.part == Part::light ? selection.index : -1;
+  work.add(bands.count(), [this, mirror, light, bands](int from, int to) {
+    mask_.bind();
+    plain_[mirror].use();
+    plain_[mirror].set("light", light);
+    bands.draw(from, to, drawFullScreen);
+  });
 }
 
 }  // namespace anamorph

@@ -7,6 +7,8 @@
 
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
+#include "viewport/bands.h"
+#include "viewport/piecework.h"
 #include "viewport/scene_block.h"
 
 namespace anamorph {
@@ -18,12 +20,16 @@ class OutlinePass {
   /// Whether there is anything to outline.
   static bool wanted(const ViewportInput& input, const Visible& visible);
 
-  /// Into `target`, over what is there. The textures of the meshes are bound (SurfaceStore), `scene` is
-  /// written, its places relative to `origin`. `pixelScale`: pixels for one of the outline's width.
-  void draw(const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
-            const Point& origin, const SurfaceSlots& slots, const Visible& visible, double pixelScale);
+  /// The work of drawing it into `target`, over what is there. While it is done the textures of the meshes are bound
+  /// (SurfaceStore) and the scene block is written: `scene`, its places relative to `origin`. `pixelScale`: pixels for
+  /// one of the outline's width.
+  void add(Piecework& work, const Framebuffer& target, const ViewportInput& input, const SceneBlock& scene,
+           const Point& origin, const SurfaceSlots& slots, const Visible& visible, double pixelScale);
 
  private:
+  void addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots, const PixelRect& rect);
+  void addPlain(Piecework& work, const Selection& selection, const std::string& mirror, const Bands& bands);
+
   ShaderProgram mesh_, traced_, outline_;
   std::map<std::string, ShaderProgram> plain_;  // by the mirror's shape; made when needed
   Framebuffer mask_;

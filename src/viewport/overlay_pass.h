@@ -20,16 +20,17 @@ class OverlayPass {
               const Point& origin, int width, int height);
   bool empty() const { return !anything_; }
 
-  /// Adds a sample to the mean, as ScenePass::draw. `depth` is of the same sample; `pixelScale`: pixels of
+  /// The work of adding a sample to the mean, as ScenePass::add. `depth` is of the same sample; `pixelScale`: pixels of
   /// the picture for one of a line's width.
-  void draw(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
-            const Visible& visible, const Texture& depth, double pixelScale, int number);
+  void add(Piecework& work, const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
+           const Visible& visible, const Texture& depth, double pixelScale, int number);
 
   /// The mean: display colour times alpha, alpha. Undefined while empty().
   const Texture& result() const { return mean_.result(); }
 
  private:
-  void drawDots(const SurfaceSlots& slots, const Texture& depth, double pixelScale, int vertices);
+  void addDots(Piecework& work, const Texture& depth, double pixelScale, int vertices);
+  void addLines(Piecework& work, const Texture& depth, double pixelScale);
 
   LinePass lines_;
   OutlinePass outline_;

@@ -29,27 +29,33 @@ void SampleMean::resize(int width, int height, std::initializer_list<TexelFormat
   sample_ = Framebuffer(width, height, formats, withDepth);
 }
 
-void SampleMean::beginSample(int number) {
-  single_ = number == 0;
-  if (number != 1) return;
-  if (mean_.empty()) mean_ = Framebuffer(sample_.width(), sample_.height(), {TexelFormat::rgba16f});
-  copySample();
+void SampleMean::addBegin(Piecework& work, int number) {
+  const Bands bands({0, 0, sample_.width(), sample_.height()});
+  work.add(1, [this, number](int, int) {
+    single_ = number == 0;
+    if (number != 1 || !mean_.empty()) return;
+    mean_ = Framebuffer(sample_.width(), sample_.height(), {TexelFormat::rgba16f});
+  });
+  if (number == 1) work.add(bands.count(), [this, bands](int from, int to) { copySample(bands, from, to); });
 }
 
-void SampleMean::endSample(int number) {
+void SampleMean::addEnd(Piecework& work, int number) {
   if (number == 0) return;
-  glEnable(GL_BLEND);
-  glBlendColor(0, 0, 0, 1.0f / static_cast<float>(number + 1));
-  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-  copySample();
-  glDisable(GL_BLEND);
+  const Bands bands({0, 0, sample_.width(), sample_.height()});
+  work.add(bands.count(), [this, bands, number](int from, int to) {
+    glEnable(GL_BLEND);
+    glBlendColor(0, 0, 0, 1.0f / static_cast<float>(number + 1));
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    copySample(bands, from, to);
+    glDisable(GL_BLEND);
+  });
 }
 
-void SampleMean::copySample() const {
+void SampleMean::copySample(const Bands& bands, int from, int to) const {
   mean_.bind();
   sample_.color().bind(sampleUnit);
   copy_.use();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  bands.draw(from, to, drawFullScreen);
 }
 
 ScenePass::ScenePass()
@@ -81,51 +87,60 @@ void ScenePass::setScreen(const std::shared_ptr<const Image>& screen) {
   screen_.write(0, 0, screen->width, screen->height, texels.data());
 }
 
-void ScenePass::draw(const SurfaceSlots& slots, const Visible& visible, int number) {
-  mean_.beginSample(number);
-  findTriangles(seen_, slots, visible, false);
+void ScenePass::add(Piecework& work, const SurfaceSlots& slots, const Visible& visible, int number) {
+  mean_.addBegin(work, number);
+  addTriangles(work, seen_, slots, visible, false);
   if (visible.ghost) {
     if (seenGhost_.empty())
       seenGhost_ = Framebuffer(seen_.width(), seen_.height(), {TexelFormat::r32ui}, true);
-    findTriangles(seenGhost_, slots, visible, true);
+    addTriangles(work, seenGhost_, slots, visible, true);
   }
-  mean_.sample().bind();
-  seen_.color().bind(seenUnit);
-  if (visible.ghost) seenGhost_.color().bind(ghostUnit);
-  screen_.bind(screenUnit);
-  // What the first pass leaves out keeps the farthest depth, and only there the second one passes the depth
-  // test.
-  const GLfloat farthest = 1;
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  for (const bool traced : {false, true})
-    drawPixels({visible.mirror, visible.ghost, visible.wires && traced, traced});
-  glDisable(GL_DEPTH_TEST);
-  mean_.endSample(number);
+  addPixels(work, visible);
+  mean_.addEnd(work, number);
 }
 
-void ScenePass::drawPixels(const PixelProgram& kind) {
+void ScenePass::addPixels(Piecework& work, const Visible& visible) {
+  const std::array kinds{PixelProgram{visible.mirror, visible.ghost, false, false},
+                         PixelProgram{visible.mirror, visible.ghost, visible.wires, true}};
+  for (const PixelProgram& kind : kinds) work.add(1, [this, kind](int, int) { make(kind); });
+  const Bands bands({0, 0, seen_.width(), seen_.height()});
+  work.add(bands.count(), [this, kinds, bands](int from, int to) {
+    mean_.sample().bind();
+    seen_.color().bind(seenUnit);
+    if (kinds[0].ghost) seenGhost_.color().bind(ghostUnit);
+    screen_.bind(screenUnit);
+    // What the first pass leaves out keeps the farthest depth, and only there the second one passes the depth
+    // test.
+    const GLfloat farthest = 1;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    bands.draw(from, to, [&] { glClearBufferfv(GL_DEPTH, 0, &farthest); });
+    for (const PixelProgram& kind : kinds) {
+      programs_[kind].use();
+      bands.draw(from, to, drawFullScreen);
+    }
+    glDisable(GL_DEPTH_TEST);
+  });
+}
+
+void ScenePass::make(const PixelProgram& kind) {
   ShaderProgram& program = programs_[kind];
-  if (program.empty()) {
-    std::vector<std::string> defines;
-    if (kind.traced) defines.emplace_back("TRACED");
-    if (kind.ghost) defines.emplace_back("GHOST");
-    if (kind.wires) defines.emplace_back("WIRES");
-    program =
-        makeSceneProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", sceneOptions(kind.mirror, defines));
-    program.use();
-    program.set("seen", seenUnit);
-    program.set("seenGhost", ghostUnit);
-    program.set("screen", screenUnit);
-    program.set("place", kind.traced ? 1.0f : 0.0f);
-  }
+  if (!program.empty()) return;
+  std::vector<std::string> defines;
+  if (kind.traced) defines.emplace_back("TRACED");
+  if (kind.ghost) defines.emplace_back("GHOST");
+  if (kind.wires) defines.emplace_back("WIRES");
+  program =
+      makeSceneProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", sceneOptions(kind.mirror, defines));
   program.use();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  program.set("seen", seenUnit);
+  program.set("seenGhost", ghostUnit);
+  program.set("screen", screenUnit);
+  program.set("place", kind.traced ? 1.0f : 0.0f);
 }
 
-void ScenePass::findTriangles(const Framebuffer& target, const SurfaceSlots& slots, const Visible& visible,
-                              bool ghost) {
+void ScenePass::addTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots,
+                             const Visible& visible, bool ghost) {
   int surfaces = 0;
   std::int64_t triangles = 0;
   for (const GpuSurface surface : {GpuSurface::sculpture, GpuSurface::original, GpuSurface::rtCamera}) {
@@ -135,30 +150,38 @@ void ScenePass::findTriangles(const Framebuffer& target, const SurfaceSlots& slo
     surfaces |= 1 << i;
     triangles += slots[i].triangles;
   }
-  target.bind();
-  if (fasterTraced(triangles, target)) {
+  if (!fasterTraced(triangles, target)) return addDrawnTriangles(work, target, slots, surfaces);
+  const Bands bands({0, 0, target.width(), target.height()});
+  work.add(bands.count(), [this, &target, surfaces, bands](int from, int to) {
+    target.bind();
     traced_.use();
     traced_.set("wanted", surfaces);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-  } else {
-    drawTriangles(slots, surfaces);
-  }
+    bands.draw(from, to, drawFullScreen);
+  });
 }
 
-void ScenePass::drawTriangles(const SurfaceSlots& slots, int surfaces) {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  const std::array<GLuint, 4> nothing{};
-  const GLfloat farthest = 1;
-  glClearBufferuiv(GL_COLOR, 0, nothing.data());
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-  triangles_.use();
+void ScenePass::addDrawnTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots,
+                                  int surfaces) {
+  work.add(1, [&target](int, int) {
+    target.bind();
+    const std::array<GLuint, 4> nothing{};
+    const GLfloat farthest = 1;
+    glClearBufferuiv(GL_COLOR, 0, nothing.data());
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+  });
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     if ((surfaces & 1 << i) == 0) continue;
-    triangles_.set("surface", i);
-    glDrawArrays(GL_TRIANGLES, 0, 3 * slots[i].triangles);
+    const ListPieces triangles = trianglePieces(slots[i].triangles);
+    work.add(triangles.count(), [this, &target, i, triangles](int from, int to) {
+      target.bind();
+      glEnable(GL_DEPTH_TEST);
+      glDepthFunc(GL_LEQUAL);
+      triangles_.use();
+      triangles_.set("surface", i);
+      drawTriangles(triangles, from, to);
+      glDisable(GL_DEPTH_TEST);
+    });
   }
-  glDisable(GL_DEPTH_TEST);
 }
 
 }  // namespace anamorph

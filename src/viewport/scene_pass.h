@@ -1,6 +1,7 @@
 // The lit scene. First the meshes are drawn (or traced), which tells the triangle that each pixel sees; then
 // passes over all pixels meet mirror, ground and sky, and shade (shaders/scene_pass.frag.glsl). So nothing is
-// shaded that is not seen, and direct view and reflection go through the same shading.
+// shaded that is not seen, and direct view and reflection go through the same shading. All of it as pieces of work
+// (piecework.h), which refer to what they were made with.
 #pragma once
 
 #include <compare>
@@ -12,11 +13,13 @@
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
 #include "raytrace/image.h"
+#include "viewport/bands.h"
+#include "viewport/piecework.h"
 #include "viewport/scene_block.h"
 
 namespace anamorph {
 
-/// A picture that is the mean of samples. Each is drawn into sample(), then added.
+/// A picture that is the mean of samples. Each is drawn into sample(), then added to the mean.
 class SampleMean {
  public:
   SampleMean();
@@ -24,14 +27,14 @@ class SampleMean {
   /// All formats of a sample's framebuffer; the mean is of the first.
   void resize(int width, int height, std::initializer_list<TexelFormat> formats, bool withDepth);
   const Framebuffer& sample() const { return sample_; }
-  /// Call before sample number `number` is drawn, and after it.
-  void beginSample(int number);
-  void endSample(int number);
+  /// The work before sample number `number` is drawn, and after it.
+  void addBegin(Piecework& work, int number);
+  void addEnd(Piecework& work, int number);
 
   const Texture& result() const { return single_ ? sample_.color() : mean_.color(); }
 
  private:
-  void copySample() const;
+  void copySample(const Bands& bands, int from, int to) const;
 
   ShaderProgram copy_;
   Framebuffer sample_, mean_;
@@ -46,9 +49,9 @@ class ScenePass {
   /// The image on the RT camera's pixel grid; null: none.
   void setScreen(const std::shared_ptr<const Image>& screen);
 
-  /// Adds a sample to the mean; number 0 begins a new one. The textures of the meshes are bound, the scene
-  /// block is written.
-  void draw(const SurfaceSlots& slots, const Visible& visible, int number);
+  /// The work of adding a sample to the mean; number 0 begins a new one. While it is done the textures of the meshes
+  /// are bound and the scene block is written.
+  void add(Piecework& work, const SurfaceSlots& slots, const Visible& visible, int number);
 
   /// The mean: linear light times alpha, alpha.
   const Texture& light() const { return mean_.result(); }
@@ -63,10 +66,11 @@ class ScenePass {
     auto operator<=>(const PixelProgram&) const = default;
   };
 
-  void findTriangles(const Framebuffer& target, const SurfaceSlots& slots, const Visible& visible,
-                     bool ghost);
-  void drawTriangles(const SurfaceSlots& slots, int surfaces);
-  void drawPixels(const PixelProgram& kind);
+  void addTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots,
+                    const Visible& visible, bool ghost);
+  void addDrawnTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots, int surfaces);
+  void addPixels(Piecework& work, const Visible& visible);
+  void make(const PixelProgram& kind);
 
   ShaderProgram triangles_, traced_;
   std::map<PixelProgram, ShaderProgram> programs_;  // made when needed

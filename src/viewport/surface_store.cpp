@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/vec4.hpp>
+
 #include "base/language.h"
 #include "gl/load_gl.h"
+#include "viewport/bands.h"
 
 namespace anamorph {
 namespace {
@@ -39,6 +42,60 @@ glm::vec4 finite(const glm::vec4& v) {
   return {finite(v.x), finite(v.y), finite(v.z), finite(v.w)};
 }
 
+/// Of the vertices; null: all of them are usable.
+const std::vector<PathStatus>* statusOf(const SurfaceSource& source) {
+  if (!source.sculpture) return nullptr;
+  const auto& status = source.sculpture->status;
+  return status.size() == source.prepared.mesh->positions.size() ? &status : nullptr;
+}
+
+// Texels [from, to) of what shaders/bvh.glsl reads.
+
+std::vector<glm::vec4> positionTexels(const SurfaceSource& source, std::size_t from, std::size_t to) {
+  const PointArray& points = source.prepared.mesh->positions;
+  const std::vector<PathStatus>* status = statusOf(source);
+  const Point centre = source.prepared.bvh->centre();
+  std::vector<glm::vec4> texels;
+  texels.reserve(to - from);
+  for (std::size_t v = from; v < to; ++v) {
+    const float usable =
+        !status || (*status)[v] == PathStatus::mapped ? 1.0f : -static_cast<float>((*status)[v]);
+    texels.push_back(finite(glm::vec4(glm::vec3(points[v] - centre), usable)));
+  }
+  return texels;
+}
+
+std::vector<glm::vec4> normalTexels(const PreparedMesh& mesh, std::size_t from, std::size_t to) {
+  std::vector<glm::vec4> texels;
+  texels.reserve(to - from);
+  for (std::size_t n = from; n < to; ++n) texels.push_back(finite(glm::vec4((*mesh.normals)[n], 0)));
+  return texels;
+}
+
+std::vector<glm::vec4> nodeTexels(const PreparedMesh& mesh, std::size_t from, std::size_t to) {
+  std::vector<glm::vec4> texels;
+  texels.reserve(to - from);
+  for (std::size_t t = from; t < to; ++t) {
+    const BvhNode& node = mesh.bvh->nodes()[t / 2];
+    // Numbers instead of bit patterns: as a float's bits, small ones would be denormals and may become 0.
+    texels.push_back(finite(t % 2 == 0 ? glm::vec4(node.min[0], node.min[1], node.min[2], node.link)
+                                       : glm::vec4(node.max[0], node.max[1], node.max[2], node.count)));
+  }
+  return texels;
+}
+
+std::vector<glm::uvec4> triangleTexels(const PreparedMesh& mesh, std::size_t from, std::size_t to) {
+  const auto& order = mesh.bvh->triangleOrder();
+  std::vector<glm::uvec4> texels;
+  texels.reserve(to - from);
+  for (std::size_t t = from; t < to; ++t) {
+    const auto& lists = t % 2 == 0 ? mesh.mesh->triangles : mesh.normalGroups->corners;
+    const Triangle& corners = lists[order[t / 2]];
+    texels.push_back({corners[0], corners[1], corners[2], 0});
+  }
+  return texels;
+}
+
 bool sameTriangles(const PreparedMesh& a, const PreparedMesh& b) {
   return a.normalGroups == b.normalGroups && a.bvh && b.bvh &&
          (a.bvh == b.bvh || a.bvh->triangleOrder() == b.bvh->triangleOrder());
@@ -56,7 +113,7 @@ SurfaceStore::SurfaceStore()
               TexelArrays(TexelFormat::rgba32ui, gpuSurfaceCount),
               TexelArrays(TexelFormat::rgba32f, gpuSurfaceCount)} {}
 
-void SurfaceStore::update(const SurfaceSources& wanted) {
+void SurfaceStore::update(const SurfaceSources& wanted, Piecework& work) {
   SurfaceSources sources;
   std::transform(wanted.begin(), wanted.end(), sources.begin(), completeOrNone);
   Lengths lengths{};
@@ -67,12 +124,16 @@ void SurfaceStore::update(const SurfaceSources& wanted) {
     const SurfaceSource &now = sources[i], &before = sources_[i];
     const PreparedMesh &m = now.prepared, &old = before.prepared;
     slot(i, now);
-    if (!m.mesh) continue;
-    const bool otherPoints = m.mesh != old.mesh || now.sculpture != before.sculpture || m.bvh != old.bvh;
-    if (moved[SurfaceUnits::nodes] || m.bvh != old.bvh) writeNodes(i, now);
-    if (moved[SurfaceUnits::positions] || otherPoints) writePositions(i, now);
-    if (moved[SurfaceUnits::triangles] || !sameTriangles(m, old)) writeTriangles(i, now);
-    if (moved[SurfaceUnits::normals] || m.normals != old.normals) writeNormals(i, now);
+    std::array<bool, arrayCount> other{};
+    other[SurfaceUnits::nodes] = m.bvh != old.bvh;
+    other[SurfaceUnits::positions] =
+        m.mesh != old.mesh || now.sculpture != before.sculpture || m.bvh != old.bvh;
+    other[SurfaceUnits::triangles] = !sameTriangles(m, old);
+    other[SurfaceUnits::normals] = m.normals != old.normals;
+    for (int a = 0; a < arrayCount; ++a) {
+      missing_[a][i] = m.mesh && (missing_[a][i] || moved[a] || other[a]);
+      if (missing_[a][i]) addUpload(work, a, i, lengths[a][i]);
+    }
   }
   sources_ = sources;
 }
@@ -121,55 +182,33 @@ void SurfaceStore::slot(int i, const SurfaceSource& source) {
     slot.radius = std::max({slot.radius, double{-finite(root.min[axis])}, double{finite(root.max[axis])}});
   }
   if (slot.box.empty()) slot.triangles = 0;  // no triangle is in the tree any more
+  const auto* status = statusOf(source);
+  slot.whole = !status || std::all_of(status->begin(), status->end(),
+                                      [](PathStatus s) { return s == PathStatus::mapped; });
 }
 
-void SurfaceStore::writePositions(int i, const SurfaceSource& source) {
-  const PointArray& points = source.prepared.mesh->positions;
-  const std::vector<PathStatus>* status = source.sculpture ? &source.sculpture->status : nullptr;
-  if (status && status->size() != points.size()) status = nullptr;
-  const Point centre = source.prepared.bvh->centre();
-  floats_.resize(points.size());
-  bool whole = true;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const float usable =
-        !status || (*status)[v] == PathStatus::mapped ? 1.0f : -static_cast<float>((*status)[v]);
-    whole &= usable > 0;
-    floats_[v] = finite(glm::vec4(glm::vec3(points[v] - centre), usable));
+void SurfaceStore::addUpload(Piecework& work, int array, int i, std::size_t texels) {
+  constexpr int rowsInPiece = 16;  // half a megabyte
+  const ListPieces pieces{static_cast<int>(texels), rowsInPiece * TexelArrays::rowLength};
+  work.add(pieces.count(), [this, array, i, pieces](int from, int to) {
+    upload(array, i, pieces.begin(from), pieces.begin(to));
+    if (to == pieces.count()) missing_[array][i] = false;
+  });
+}
+
+void SurfaceStore::upload(int array, int i, std::size_t from, std::size_t to) {
+  const SurfaceSource& source = sources_[i];
+  const auto send = [&](const auto& texels) { arrays_[array].write(i, from, texels.data(), texels.size()); };
+  switch (array) {
+    case SurfaceUnits::nodes:
+      return send(nodeTexels(source.prepared, from, to));
+    case SurfaceUnits::positions:
+      return send(positionTexels(source, from, to));
+    case SurfaceUnits::triangles:
+      return send(triangleTexels(source.prepared, from, to));
+    case SurfaceUnits::normals:
+      return send(normalTexels(source.prepared, from, to));
   }
-  slots_[i].whole = whole;
-  arrays_[SurfaceUnits::positions].write(i, floats_.data(), floats_.size());
-}
-
-void SurfaceStore::writeNormals(int i, const SurfaceSource& source) {
-  const auto& normals = *source.prepared.normals;
-  floats_.resize(normals.size());
-  std::transform(normals.begin(), normals.end(), floats_.begin(),
-                 [](const glm::vec3& n) { return finite(glm::vec4(n, 0)); });
-  arrays_[SurfaceUnits::normals].write(i, floats_.data(), floats_.size());
-}
-
-void SurfaceStore::writeNodes(int i, const SurfaceSource& source) {
-  const auto& nodes = source.prepared.bvh->nodes();
-  floats_.resize(2 * nodes.size());
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const BvhNode& node = nodes[n];
-    // Numbers instead of bit patterns: as a float's bits, small ones would be denormals and may become 0.
-    floats_[2 * n] = finite(glm::vec4(node.min[0], node.min[1], node.min[2], node.link));
-    floats_[2 * n + 1] = finite(glm::vec4(node.max[0], node.max[1], node.max[2], node.count));
-  }
-  arrays_[SurfaceUnits::nodes].write(i, floats_.data(), floats_.size());
-}
-
-void SurfaceStore::writeTriangles(int i, const SurfaceSource& source) {
-  const PreparedMesh& m = source.prepared;
-  const auto& order = m.bvh->triangleOrder();
-  numbers_.resize(2 * order.size());
-  for (std::size_t t = 0; t < order.size(); ++t) {
-    const Triangle &corners = m.mesh->triangles[order[t]], &normals = m.normalGroups->corners[order[t]];
-    numbers_[2 * t] = {corners[0], corners[1], corners[2], 0};
-    numbers_[2 * t + 1] = {normals[0], normals[1], normals[2], 0};
-  }
-  arrays_[SurfaceUnits::triangles].write(i, numbers_.data(), numbers_.size());
 }
 
 void SurfaceStore::bind() const {

@@ -1,6 +1,6 @@
 // The graphics card's copies of the meshes: what rays and triangles need of them, in four textures
 // (shaders/bvh.glsl). Copies follow pointers: another pointer, another upload; what keeps its pointer stays.
-// While a mesh only moves, its triangles are not sent again.
+// While a mesh only moves, its triangles are not sent again. What is sent goes in pieces (piecework.h).
 #pragma once
 
 #include <array>
@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec4.hpp>
-
 #include "gl/framebuffer.h"
 #include "gl/texture.h"
+#include "viewport/piecework.h"
 #include "viewport/scene_block.h"
 
 namespace anamorph {
@@ -39,8 +38,9 @@ class SurfaceStore {
  public:
   SurfaceStore();
 
-  /// Uploads what has changed.
-  void update(const SurfaceSources& sources);
+  /// slots() are of these from now on; the work of uploading what has changed has to be done before they are drawn. An
+  /// earlier work that was not finished has to be forgotten.
+  void update(const SurfaceSources& sources, Piecework& work);
   void bind() const;
 
   const SurfaceSlots& slots() const { return slots_; }
@@ -53,17 +53,15 @@ class SurfaceStore {
 
   void leaveOutWhatDoesNotFit(SurfaceSources& sources, Lengths& lengths);
   void slot(int i, const SurfaceSource& source);
-  void writePositions(int i, const SurfaceSource& source);
-  void writeNormals(int i, const SurfaceSource& source);
-  void writeNodes(int i, const SurfaceSource& source);
-  void writeTriangles(int i, const SurfaceSource& source);
+  void addUpload(Piecework& work, int array, int i, std::size_t texels);
+  void upload(int array, int i, std::size_t from, std::size_t to);
 
   std::array<TexelArrays, arrayCount> arrays_;  // in the order of SurfaceUnits
-  SurfaceSources sources_;                      // what is there
+  SurfaceSources sources_;
+  std::array<std::array<bool, gpuSurfaceCount>, arrayCount>
+      missing_{};  // of the sources: is not all uploaded
   SurfaceSlots slots_;
   std::vector<int> leftOut_;
-  std::vector<glm::vec4> floats_;    // for sending
-  std::vector<glm::uvec4> numbers_;  // the same
 };
 
 }  // namespace anamorph

@@ -12,6 +12,7 @@
 #include "gl/framebuffer.h"
 #include "gl/gl_error.h"
 #include "gl/shader.h"
+#include "viewport/bands.h"
 #include "viewport/camera_model.h"
 #include "viewport/overlay_pass.h"
 #include "viewport/scene_block.h"
@@ -55,21 +56,29 @@ struct Viewport::Parts {
   }
   ~Parts() { glDeleteVertexArrays(1, &noVertices); }
 
+  bool mustFinish() const;
   void begin(const ViewportInput& wanted, double wantedScale);
-  void addSample();
-  void finish();
+  void drawFor(int end, double milliseconds);
+  void addSample(bool show);
+  void addShow();
 
   // What is drawn, how large, and how far.
   ViewportInput input;
   double scale = 0;  // 0: nothing yet
+  int width = 0, height = 0;
   int done = 0, asked = 1;
+  Piecework work{[] { glFinish(); }};
+  bool behind = false;  // what the last call asked for waits until this input is shown
+  double spent = 0;     // milliseconds, on the sample that is being drawn
+  std::optional<SampleCost> cost;
 
   SurfaceStore surfaces;
   ScenePass scenePass;
   OverlayPass overlayPass;
   UniformBuffer block{sceneBlockPoint};
   ShaderProgram resolve = makeSceneProgram("full_screen.vert.glsl", "resolve.frag.glsl");
-  Framebuffer picture;
+  Framebuffer picture, nextPicture;  // shown, and on the way
+  ViewportInput shown;               // in the picture
   GLuint noVertices = 0;
 
   CameraModel cameraModel;
@@ -77,7 +86,12 @@ struct Viewport::Parts {
   Visible visible;
 };
 
+bool Viewport::Parts::mustFinish() const {
+  return scale > 0 && !work.empty() && !(shown == input);
+}
+
 void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
+  work.clear();
   input = wanted;
   scale = 0;  // until all is prepared: this may throw
   done = 0;
@@ -86,42 +100,69 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   sources[0] = {input.sculpture.prepared, input.sculpture.sculpture};
   sources[1] = {input.original, nullptr};
   sources[2] = {cameraModel.at(input.level.camera, rtCameraSize(input.level.grid, measure.radius)), nullptr};
-  surfaces.update(sources);
+  surfaces.update(sources, work);
   visible = findVisible(input, surfaces.slots(), measure.radius);
   scenePass.setScreen(input.screen);
 
   const auto scaled = [&](int size) {
     return std::max(1, static_cast<int>(std::lround(size * wantedScale)));
   };
-  const int width = scaled(input.width), height = scaled(input.height);
-  if (picture.width() != width || picture.height() != height) {
-    picture = Framebuffer();
-    picture = Framebuffer(width, height, {TexelFormat::rgba8}, false, true);
-  }
+  width = scaled(input.width);
+  height = scaled(input.height);
   scenePass.resize(width, height);
   overlayPass.update(input, surfaces.slots(), visible, measure.centre, width, height);
   scale = wantedScale;
 }
 
-void Viewport::Parts::addSample() {
-  const SceneBlock scene = makeSceneBlock(input, measure, surfaces.slots(), visible, picture.width(),
-                                          picture.height(), sampleShift(done));
-  block.write(&scene, sizeof scene);
-  surfaces.bind();
-  scenePass.draw(surfaces.slots(), visible, done);
-  if (!overlayPass.empty())
-    overlayPass.draw(input, scene, surfaces.slots(), visible, scenePass.depth(), input.lineScale * scale,
-                     done);
-  ++done;
+// `show`: its end is to be seen.
+void Viewport::Parts::addSample(bool show) {
+  const SceneBlock scene =
+      makeSceneBlock(input, measure, surfaces.slots(), visible, width, height, sampleShift(done));
+  work.add(1, [this, scene](int, int) {
+    spent = 0;
+    block.write(&scene, sizeof scene);
+  });
+  scenePass.add(work, surfaces.slots(), visible, done);
+  if (!overlayPass.empty()) {
+    overlayPass.add(work, input, scene, surfaces.slots(), visible, scenePass.depth(), input.lineScale * scale,
+                    done);
+  }
+  if (show) addShow();
+  work.add(1, [this](int, int) { ++done; });
 }
 
-void Viewport::Parts::finish() {
-  picture.bind();
-  scenePass.light().bind(lightUnit);
-  if (!overlayPass.empty()) overlayPass.result().bind(overlayUnit);
-  resolve.use();
-  resolve.set("hasOverlay", overlayPass.empty() ? 0 : 1);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+void Viewport::Parts::addShow() {
+  work.add(1, [this](int, int) {
+    if (nextPicture.width() == width && nextPicture.height() == height) return;
+    nextPicture = Framebuffer();
+    nextPicture = Framebuffer(width, height, {TexelFormat::rgba8}, false, true);
+  });
+  const Bands bands({0, 0, width, height});
+  work.add(bands.count(), [this, bands](int from, int to) {
+    nextPicture.bind();
+    scenePass.light().bind(lightUnit);
+    if (!overlayPass.empty()) overlayPass.result().bind(overlayUnit);
+    resolve.use();
+    resolve.set("hasOverlay", overlayPass.empty() ? 0 : 1);
+    bands.draw(from, to, drawFullScreen);
+  });
+  work.add(1, [this](int, int) {
+    std::swap(picture, nextPicture);
+    shown = input;
+  });
+}
+
+void Viewport::Parts::drawFor(int end, double milliseconds) {
+  const bool hurry = milliseconds < Piecework::noHurry;
+  double left = milliseconds;
+  do {
+    if (work.empty()) addSample(hurry || done + 1 == end);
+    const int before = done;
+    const double took = work.drawSome(std::max(left, 0.0));
+    left -= took;
+    spent += took;
+    if (hurry && done > before) cost = SampleCost{scale, spent};
+  } while (done < end && left > 0);
 }
 
 Viewport::Viewport() : parts_(std::make_unique<Parts>()) {
@@ -130,25 +171,42 @@ Viewport::Viewport() : parts_(std::make_unique<Parts>()) {
 
 Viewport::~Viewport() = default;
 
-bool Viewport::draw(const ViewportInput& input, double scale, int samplesNow, int samples) {
+bool Viewport::draw(const ViewportInput& input, double scale, int samplesNow, int samples,
+                    double milliseconds) {
   CHECK(input.width > 0 && input.height > 0 && scale > 0 && scale <= 1 && samplesNow > 0 && samples > 0);
   Parts& p = *parts_;
   const SavedTarget saved;
   p.asked = samples;
   const bool changed = p.scale != scale || !(p.input == input);
+  p.behind = changed && milliseconds < Piecework::noHurry && p.mustFinish();
   if (!changed && p.done >= samples) return false;
+  if (milliseconds < Piecework::noHurry) glFinish();  // what others have asked for is not measured
   resetStates();
   glBindVertexArray(p.noVertices);
-  if (changed) p.begin(input, scale);
-  for (const int end = std::min(p.done + samplesNow, samples); p.done < end;) p.addSample();
-  p.finish();
+  if (changed && !p.behind) p.begin(input, scale);
+  p.block.bind();
+  p.surfaces.bind();
+  p.drawFor(p.behind ? p.done + 1 : std::min(p.done + samplesNow, samples), milliseconds);
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
   return true;
 }
 
 bool Viewport::complete() const {
-  return parts_->scale > 0 && parts_->done >= parts_->asked;
+  return parts_->scale > 0 && !parts_->behind && parts_->done >= parts_->asked;
+}
+
+double Viewport::fraction() const {
+  const double begun = parts_->work.empty() ? 0 : parts_->work.fraction();
+  return std::min(1.0, (parts_->done + begun) / parts_->asked);
+}
+
+bool Viewport::current() const {
+  return parts_->scale > 0 && !parts_->behind && parts_->shown == parts_->input;
+}
+
+std::optional<Viewport::SampleCost> Viewport::takeCost() {
+  return std::exchange(parts_->cost, std::nullopt);
 }
 
 std::uint32_t Viewport::texture() const {
@@ -163,9 +221,8 @@ Bitmap Viewport::readBack() const {
 std::string Viewport::problem() const {
   std::string problem = parts_->surfaces.problem();
   if (parts_->input.level.lights.size() > gpuLightLimit) {
-    problem +=
-        (problem.empty() ? "" : "; ") +
-        fmt::format(fmt::runtime(tr("only the first {} lights are shown in the 3D view")), gpuLightLimit);
+    problem += (problem.empty() ? "" : "; ") +
+               trFormat("only the first {} lights are shown in the 3D view", gpuLightLimit);
   }
   return problem;
 }

@@ -300,5 +300,67 @@ TEST(Match, TheThesisFormulasScoreWorse) {
   }
 }
 
+// Grades go by figures that mean the same for large and small things.
+TEST(Match, ThinAndSmallOriginalsAreAsGoodAsTheirOutlines) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Random random(seed);
+    DeformInput deform = seed % 2 == 0 ? sphereInput(box()) : cylinderInput(box());
+    Mesh thin = seed % 3 == 0 ? makeTorusKnot(2, 3, random.uniform(0.01, 0.05), 400, 8)
+                              : makeBox({random.uniform(0.5, 4), 0.04, random.uniform(0.02, 0.2)}, 12);
+    const Point middle = boundingBox(deform.original->positions).centre();
+    const double scale = random.uniform(0.1, 0.5);
+    thin.positions = mapPoints(thin.positions, [&](const Point& p) { return middle + scale * p; });
+    deform.original = std::make_shared<const Mesh>(std::move(thin));
+    const MatchReport report = computeMatch(matchInput(deform, makeSculpture(deform), 512)).report;
+    if (report.hiddenShare + report.missedShare > 0 || gradeOf(report) == MatchGrade::tooSmall) continue;
+    EXPECT_EQ(gradeOf(report), MatchGrade::excellent)
+        << "outline " << report.contourPx << ", p99 " << report.p99Px << ", agreement "
+        << report.triangleAgreement << ", extra " << report.extraShare << ", " << report.originalPixels
+        << " px";
+  }
+}
+
+TEST(Match, GradesAreWorseTheFartherAwayTheSculptureIs) {
+  const DeformInput deform = sphereInput(box());
+  MatchGrade last = MatchGrade::excellent;
+  for (const double shift : {0.0, 0.01, 0.03, 0.1, 0.4}) {
+    Sculpture s = makeSculpture(deform);
+    s.mesh.positions = mapPoints(s.mesh.positions, [&](const Point& p) { return p + Vector(shift, 0, 0); });
+    const MatchGrade grade = gradeOf(computeMatch(matchInput(deform, std::move(s), 512)).report);
+    EXPECT_GE(grade, last) << shift;
+    last = grade;
+  }
+  EXPECT_EQ(last, MatchGrade::poor);
+}
+
+TEST(Match, FewPixelsHaveNoGrade) {
+  DeformInput deform = sphereInput(box());
+  deform.camera.fovDegrees = 170;
+  const MatchReport report = reportOf(deform, makeSculpture(deform));
+  EXPECT_LT(report.originalPixels, 16u);
+  EXPECT_EQ(gradeOf(report), MatchGrade::tooSmall);
+}
+
+TEST(Match, WhatIsSeenBesideTheOriginalIsExtra) {
+  const DeformInput deform = planeInput(box());
+  Sculpture twice = makeSculpture(deform);
+  const Mesh other = twice.mesh;
+  const auto first = static_cast<std::uint32_t>(other.positions.size());
+  for (std::size_t i = 0; i < first; ++i) {
+    twice.mesh.positions.push_back(other.positions[i] + Vector(0, 0, 2.5));
+    twice.original.push_back(twice.original[i]);
+  }
+  for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+    const Triangle& t = other.triangles[i];
+    twice.mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    twice.sourceTriangle.push_back(twice.sourceTriangle[i]);
+  }
+  const MatchReport report = reportOf(deform, std::move(twice));
+  EXPECT_NEAR(report.extraShare, 1, 0.4);
+  EXPECT_NE(gradeOf(report), MatchGrade::excellent);
+  EXPECT_EQ(report.hiddenShare, 0);
+}
+
 }  // namespace
 }  // namespace anamorph

@@ -14,6 +14,7 @@
 #include "gl/texture.h"
 #include "gui_fixture.h"
 #include "panels/actions.h"
+#include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
@@ -80,7 +81,7 @@ TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
   const LevelResult& result = editor().updater.result();
-  EXPECT_EQ(loadMesh(folder / "s.ply").triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
+  EXPECT_EQ(loadMesh(folder / "s.ply").mesh.triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
 }
 
 TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {
@@ -174,6 +175,56 @@ TEST_F(ExportWindow, ShotsAreAsLargeAsAskedForAndTheWindowGoesOn) {
     far += std::abs(int(after.bytes[i]) - int(before.bytes[i])) > 8;
   }
   EXPECT_LT(far, after.bytes.size() / 200);
+}
+
+TEST_F(ExportWindow, ShotsAreDrawnFrameByFrameAndWritten) {
+  headless->settle();
+  const ShotRequest request{2, true, false, folder / "window.png"};
+  const Bitmap expected = takeShot(gui(), request);
+  headless->settle();
+  const int exported = editor().exported;
+  ui().requests.shot = request;
+  const ViewQuality best = QualityGovernor::best();
+  headless->frame(1.0 / 60, &best);
+  EXPECT_TRUE(gui().unfinished());
+  headless->frame(1.0 / 60, &best);
+  EXPECT_TRUE(ui().exporting.running);
+  wait();
+  EXPECT_FALSE(ui().shot.running);
+  EXPECT_NE(ui().exporting.message.find("window.png"), std::string::npos) << ui().exporting.message;
+  EXPECT_EQ(editor().exported, exported + 1);
+  EXPECT_EQ(loadPng(request.path), expected);
+}
+
+TEST_F(ExportWindow, ShotsCanBeCancelled) {
+  headless->resize(1600, 1000);
+  for (bool UiRequests::*cancel : {&UiRequests::cancelShot, &UiRequests::cancelExport}) {
+    ui().requests.shot = ShotRequest{4, true, false, folder / "window.png"};
+    frames(2);
+    ASSERT_TRUE(ui().shot.running);
+    ui().requests.*cancel = true;
+    frames(1);
+    EXPECT_FALSE(ui().shot.running);
+    EXPECT_FALSE(ui().exporting.running);
+    EXPECT_NE(ui().exporting.message.find("Nothing was written"), std::string::npos);
+    frames(2);
+  }
+  EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST_F(ExportWindow, PanelsAreComposedOverTheView) {
+  const auto pixel = [](std::initializer_list<std::uint8_t> rgba) { return Bitmap{1, 1, 4, rgba}; };
+  EXPECT_EQ(compose({pixel({0, 0, 0, 0}), pixel({10, 20, 30, 255}), 0, 0, false}).bytes,
+            (std::vector<std::uint8_t>{10, 20, 30}));
+  EXPECT_EQ(compose({pixel({40, 50, 60, 255}), pixel({10, 20, 30, 255}), 0, 0, false}).bytes,
+            (std::vector<std::uint8_t>{40, 50, 60}));
+  EXPECT_EQ(compose({pixel({50, 0, 0, 128}), pixel({100, 100, 200, 255}), 0, 0, false}).bytes,
+            (std::vector<std::uint8_t>{100, 50, 100}));
+  EXPECT_EQ(compose({pixel({0, 0, 0, 0}), pixel({10, 20, 30, 255}), 1, 0, false}).bytes,
+            (std::vector<std::uint8_t>{0, 0, 0}))
+      << "beside the view";
+  EXPECT_EQ(compose({pixel({0, 0, 0, 0}), pixel({200, 100, 0, 128}), 0, 0, true}).bytes,
+            (std::vector<std::uint8_t>{199, 100, 0, 128}));
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ TEST_F(OpenGui, StateLineIsJson) {
   while (!editor().updater.result().complete) frames(1);
   editor().cell = GridCell{3, 5};
   frames(1);
-  const JsonValue state = parseJson(stateLine(gui(), 7), "state");
+  const JsonValue state = parseJson(stateLine(gui(), 7, {.keysDown = 4, .motions = 9}, true), "state");
   const auto member = [&](const std::string& key) -> const JsonValue& {
     const auto at = std::find(state.keys.begin(), state.keys.end(), key);
     if (at == state.keys.end()) throw Error("no member " + key);
@@ -262,6 +262,9 @@ TEST_F(OpenGui, StateLineIsJson) {
   EXPECT_EQ(member("selection").text, "none");
   EXPECT_GT(member("iou").number, 0.99);
   EXPECT_EQ(member("complete").text, "true");
+  EXPECT_EQ(member("resting").text, "true");
+  EXPECT_EQ(findMember(member("input"), "keysDown")->number, 4);
+  EXPECT_EQ(findMember(member("input"), "motions")->number, 9);
 }
 
 }  // namespace

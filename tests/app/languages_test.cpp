@@ -46,6 +46,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "/texts/Save: expected a string that is not empty, got 3"},
         BadLanguage{"Empty", R"({"format": "anamorph-language", "texts": {"Save": ""}})",
                     "/texts/Save: expected a string that is not empty, got \"\""},
+        BadLanguage{"LoneBrace",
+                    R"({"format": "anamorph-language", "texts": {"Saved: {}": "Opgeslagen: {} {"}})",
+                    "/texts/Saved: {}: expected the same {} places as in English, got \"Opgeslagen: {} {\""},
+        BadLanguage{"LoneBraceAlone", R"({"format": "anamorph-language", "texts": {"Save": "}"}})",
+                    "/texts/Save: expected the same {} places as in English, got \"}\""},
         BadLanguage{"OtherPlaces", R"({"format": "anamorph-language", "texts": {"{} of {}": "{} uit"}})",
                     "/texts/{} of {}: expected the same {} places as in English, got \"{} uit\""}),
     [](const auto& bad) { return bad.param.name; });

@@ -98,7 +98,7 @@ TEST_F(RecoveryFiles, OlderThanTheFileSaySoAndAreNoOtherProgram) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].entry.fileIsNewer);
     Session session;
-    session.recover(found[0].path, found[0].level, found[0].fileTime);
+    session.recover(mine, readLevelFile(mine), found[0].level, found[0].fileTime);
     EXPECT_EQ(session.level(), numbered(1));
     EXPECT_FALSE(session.isFileChanged()) << "who restores it has been told";
     write(numbered(3), std::chrono::seconds(5));
@@ -114,7 +114,7 @@ TEST_F(RecoveryFiles, NewerThanAFileThatAnotherProgramWroteRememberIt) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_FALSE(found[0].entry.fileIsNewer);
   Session session;
-  session.recover(found[0].path, found[0].level, found[0].fileTime);
+  session.recover(mine, readLevelFile(mine), found[0].level, found[0].fileTime);
   EXPECT_TRUE(session.isFileChanged());
 }
 

@@ -230,6 +230,19 @@ TEST_F(BenchDrag, TimesEveryStage) {
     }
     EXPECT_GT(member(member(stages, "sculpture"), "median").number, 0) << "it follows";
   }
+  const JsonValue& actions = member(json, "actions");
+  for (const char* action : {"open", "settle", "orbit", "click", "drag eye", "undo", "drag original",
+                             "switch level", "save", "export", "picture of the window"}) {
+    SCOPED_TRACE(action);
+    EXPECT_GT(member(member(actions, action), "frames").number, 0);
+    EXPECT_GT(member(member(actions, action), "longest").number, 0);
+  }
+}
+
+TEST_F(BenchDrag, PutsAKnotIntoTheOriginalsPlace) {
+  const Result result = run("bench-drag 1-plane --triangles 5000 --frames 10 --size 700x400 --json");
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_NEAR(member(parseJson(result.out, "bench-drag"), "triangles").number, 5000, 500);
 }
 
 TEST_F(BenchDrag, PrintsATable) {
@@ -241,8 +254,8 @@ TEST_F(BenchDrag, PrintsATable) {
 }
 
 TEST_F(BenchDrag, WrongUsageIsTwo) {
-  for (const char* arguments :
-       {"bench-drag", "bench-drag 1 --frames 0", "bench-drag 1 --frames 1e9", "bench-drag 1 --size 3"}) {
+  for (const char* arguments : {"bench-drag", "bench-drag 1 --frames 0", "bench-drag 1 --frames 1e9",
+                                "bench-drag 1 --size 3", "bench-drag 1 --triangles 0"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_EQ(linesIn(result.err), 1) << result.err;

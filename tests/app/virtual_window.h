@@ -8,7 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -33,6 +36,9 @@ using Environment = std::map<std::string, std::string>;  // an empty value: unse
 inline double secondsOfClock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+/// Longer than anything takes on a machine that does much else: waiting so long only ends a test that hangs.
+constexpr double hang = 240;
 
 inline void sleepFor(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -82,7 +88,7 @@ class Process {
     exitCode_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     return true;
   }
-  bool waitForEnd(double seconds) {
+  bool waitForEnd(double seconds = hang) {
     const double end = secondsOfClock() + seconds;
     while (!ended() && secondsOfClock() < end) sleepFor(0.02);
     return ended();
@@ -226,67 +232,65 @@ class VirtualWindow {
   /// The newest line; empty before the first frame.
   State state() const {
     const std::string text = readAll(logPath());
-    const std::size_t end = text.rfind('\n');
-    if (end == std::string::npos) return {};
-    const std::size_t before = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-    return State(text.substr(begin, end - begin));
+    const std::size_t begin = beginOfLastLine(text), end = text.find('\n', begin);
+    return end == std::string::npos ? State() : State(text.substr(begin, end - begin));
   }
 
-  /// Waits until the newest state is as wanted; returns whether it came.
-  bool waitFor(const std::function<bool(const State&)>& wanted, double seconds = 60) {
-    const double end = secondsOfClock() + seconds;
-    do {
-      const State now = state();
-      if (!now.empty() && wanted(now)) return true;
-      if (program_->ended()) return false;
-      sleepFor(0.03);
-    } while (secondsOfClock() < end);
-    return false;
+  /// Whether a state is as wanted, from the newest one on; waits for it. No line is missed, however seldom this process
+  /// gets to look.
+  bool waitFor(const std::function<bool(const State&)>& wanted, double seconds = hang) const {
+    return waitFrom(beginOfLastLine(readAll(logPath())), wanted, seconds);
   }
-  bool settle() {
+  /// The same from the first one on.
+  bool waitForEver(const std::function<bool(const State&)>& wanted) const {
+    return waitFrom(0, wanted, hang);
+  }
+  bool settle() const {
     return waitFor([](const State& s) { return s.settled(); });
   }
-  /// Waits until no frame was drawn for a while.
-  bool rest(double still = 1.2, double seconds = 60) {
-    const double end = secondsOfClock() + seconds;
-    double frames = -1, since = secondsOfClock();
-    while (secondsOfClock() < end) {
-      const State now = state();
-      const double count = now.empty() ? -1 : now.number("frame");
-      if (count != frames) since = secondsOfClock();
-      frames = count;
-      if (frames > 0 && secondsOfClock() - since > still) return true;
-      sleepFor(0.05);
-    }
-    return false;
+  /// Waits until the window says that it draws nothing more.
+  bool rest() const {
+    return waitFor([](const State& s) { return s.is("resting"); });
   }
 
-  // What a user does. Waits a little between steps: events may come faster than frames.
-  void xdotool(const std::string& commands) const {
-    const std::string line = "DISPLAY=" + screen_.display() + " xdotool " + commands + " >/dev/null 2>&1";
-    if (std::system(line.c_str()) != 0) throw Error("xdotool " + commands);
+  // What a user does, one thing after the other: each returns when a frame has seen it, or the program has ended.
+  void move(double x, double y) {
+    mouse_ = {std::round(x), std::round(y)};
+    const auto isThere = [this](const State& s) { return s.list("mouse") == mouse_; };
+    const double end = secondsOfClock() + hang;
+    do {
+      point(mouse_[0], mouse_[1]);
+      if (program_->ended() || waitFor(isThere, patience)) return;
+      point(mouse_[0] + 1, mouse_[1]);
+    } while (secondsOfClock() < end);
+    throw Error(fmt::format("the mouse does not come to {}, {}", x, y));
   }
-  void move(double x, double y) const { xdotool(fmt::format("mousemove {:.0f} {:.0f} sleep 0.1", x, y)); }
-  void press(int button = 1) const { xdotool(fmt::format("mousedown {} sleep 0.1", button)); }
-  void release(int button = 1) const { xdotool(fmt::format("mouseup {} sleep 0.1", button)); }
-  void click(double x, double y, int button = 1) const {
+  void moveBy(double x, double y) { move(mouse_[0] + x, mouse_[1] + y); }
+  void press(int button = 1) { send(fmt::format("mousedown {}", button), {{"buttonsDown", 1}}); }
+  void release(int button = 1) { send(fmt::format("mouseup {}", button), {{"buttonsUp", 1}}); }
+  void click(double x, double y, int button = 1) {
     move(x, y);
     press(button);
     release(button);
   }
   /// From one place to another in some steps; the button stays down.
-  void dragTo(double fromX, double fromY, double toX, double toY, int button = 1) const {
+  void dragTo(double fromX, double fromY, double toX, double toY, int button = 1) {
     move(fromX, fromY);
     press(button);
     for (int i = 1; i <= 5; ++i) move(fromX + (toX - fromX) * i / 5, fromY + (toY - fromY) * i / 5);
   }
-  void key(const std::string& key) const {
-    xdotool("keydown " + key + " sleep 0.06 keyup " + key + " sleep 0.06");
+  void turnWheelUp() { send("click 4", {{"wheel", 1}}); }
+  /// A key, or several at once: "Return", "ctrl+z".
+  void key(const std::string& keys) {
+    const auto count = 1 + std::count(keys.begin(), keys.end(), '+');
+    send("key " + keys, {{"keysDown", count}, {"keysUp", count}});
   }
-  void withControl(const std::string& letter) const {
-    xdotool("keydown ctrl sleep 0.03 keydown " + letter + " sleep 0.06 keyup " + letter +
-            " sleep 0.03 keyup ctrl sleep 0.06");
+  void hold(const std::string& key) { send("keydown " + key, {{"keysDown", 1}}); }
+  void letGoOf(const std::string& key) { send("keyup " + key, {{"keysUp", 1}}); }
+  /// Small letters, digits and signs that need no shift.
+  void type(const std::string& text) {
+    for (const char c : text)
+      send(fmt::format("type '{}'", c), {{"characters", 1}, {"keysDown", 1}, {"keysUp", 1}});
   }
   void shell(const std::string& command) const {
     if (std::system(("DISPLAY=" + screen_.display() + " " + command).c_str()) != 0) throw Error(command);
@@ -305,8 +309,71 @@ class VirtualWindow {
   }
   std::string logPath() const { return folder_ / "state.jsonl"; }
 
+  static std::size_t beginOfLastLine(const std::string& text) {
+    const std::size_t end = text.rfind('\n');
+    return end == std::string::npos || end == 0 ? 0 : text.rfind('\n', end - 1) + 1;  // npos + 1 is 0
+  }
+
+  bool waitFrom(std::size_t at, const std::function<bool(const State&)>& wanted, double seconds) const {
+    const double end = secondsOfClock() + seconds;
+    do {
+      const bool ended = program_->ended();  // before the last lines are read
+      std::ifstream log(logPath(), std::ios::binary);
+      log.seekg(static_cast<std::streamoff>(at));
+      for (std::string line; std::getline(log, line) && !log.eof(); at += line.size() + 1) {
+        if (wanted(State(line))) return true;
+      }
+      if (ended) return false;
+      sleepFor(0.03);
+    } while (secondsOfClock() < end);
+    return false;
+  }
+
+  void xdotool(const std::string& commands) const { shell("xdotool " + commands + " >/dev/null 2>&1"); }
+  void point(double x, double y) const { xdotool(fmt::format("mousemove {:.0f} {:.0f}", x, y)); }
+
+  using Counts = std::map<std::string, std::ptrdiff_t>;
+  static Counts countsIn(const State& state) {
+    Counts counts;
+    const JsonValue& input = state["input"];
+    for (std::size_t i = 0; i < input.keys.size(); ++i)
+      counts[input.keys[i]] = static_cast<std::ptrdiff_t>(input.items[i].number);
+    return counts;
+  }
+
+  // Input comes in the order in which it was sent. So what has not come when a later motion of the mouse has is lost, and
+  // may be sent again.
+  void send(const std::string& commands, const Counts& more) {
+    const Counts before = countsIn(state());
+    const auto arrived = [&](const State& s) {
+      const Counts now = countsIn(s);
+      return std::all_of(more.begin(), more.end(), [&](const auto& kind) {
+        return now.at(kind.first) >= before.at(kind.first) + kind.second;
+      });
+    };
+    const auto lost = [&](const State& s) {
+      const Counts now = countsIn(s);
+      return std::all_of(more.begin(), more.end(),
+                         [&](const auto& kind) { return now.at(kind.first) == before.at(kind.first); });
+    };
+    const double end = secondsOfClock() + hang;
+    do {
+      xdotool(commands);
+      if (program_->ended() || waitFor(arrived, patience)) return;
+      const std::ptrdiff_t motions = countsIn(state()).at("motions");
+      point(mouse_[0] + 1, mouse_[1]);
+      point(mouse_[0], mouse_[1]);
+      waitFor([&](const State& s) { return countsIn(s).at("motions") > motions; });
+      if (!lost(state()) && waitFor(arrived)) return;
+    } while (secondsOfClock() < end && !program_->ended());
+    if (!program_->ended()) throw Error("the window does not receive: " + commands);
+  }
+
+  static constexpr double patience = 20;  // seconds; then it is looked whether input was lost
+
   TemporaryFolder folder_;
   VirtualScreen screen_;
+  std::vector<double> mouse_{0, 0};
   std::unique_ptr<Process> program_;
 };
 

@@ -23,7 +23,7 @@ class RealWindowLessons : public WindowTest {
     ASSERT_TRUE(wait([](const State& s) { return s.is("complete"); })) << window->errorText();
     window->move(500, 690);
   }
-  bool wait(const std::function<bool(const State&)>& wanted) { return window->waitFor(wanted, 40); }
+  bool wait(const std::function<bool(const State&)>& wanted) { return window->waitFor(wanted); }
 
   TemporaryFolder folder;
 };
@@ -33,11 +33,11 @@ TEST_F(RealWindowLessons, AStepIsShownDoneAndStillDoneAfterARestart) {
   EXPECT_EQ(window->state().number("step"), 0);
   window->key("m");  // the first step looks through the RT camera
   ASSERT_TRUE(wait([](const State& s) { return s.is("stepDone"); }));
-  window->xdotool("keydown alt sleep 0.05 keydown Right sleep 0.06 keyup Right sleep 0.05 keyup alt");
+  window->key("alt+Right");
   ASSERT_TRUE(wait([](const State& s) { return s.number("step") == 1; }));
   EXPECT_TRUE(std::filesystem::exists(folder / "state/anamorph/progress.json"));
   window->askToClose();
-  ASSERT_TRUE(window->program().waitForEnd(20));
+  ASSERT_TRUE(window->program().waitForEnd());
   start({"1-plane"});
   EXPECT_EQ(window->state().number("step"), 1) << "goes on where it was left";
 }
@@ -56,46 +56,41 @@ TEST_F(RealWindowLessons, PresentsTheStepThatIsNamedAndStepsByArrows) {
 
 TEST_F(RealWindowLessons, TheTourGoesOnByItself) {
   start({"0-perspective", "--with-tour"});
-  EXPECT_TRUE(wait([](const State& s) { return s.number("tourCard") == 2; })) << "the mouse rests";
+  EXPECT_TRUE(window->waitForEver([](const State& s) { return s.number("tourCard") == 2; }))
+      << "the mouse rests";
 }
 
 TEST_F(RealWindowLessons, ANumberIsChangedByKeysAlone) {
   start({"1-plane"});
-  // Key by key, as people do: a loaded machine draws few frames, and two keys within one are one to Dear ImGui.
-  const auto press = [&](const char* key) {
-    const double frame = window->state().number("frame");
-    window->key(key);
-    EXPECT_TRUE(wait([&](const State& s) { return s.number("frame") > frame + 1; })) << key;
-  };
-  for (int i = 0; i < 3; ++i) press("F6");  // levels, lesson, properties
-  for (int i = 0; i < 3; ++i) press("Down");
-  press("Return");
-  window->xdotool("sleep 0.2 type --delay 30 2.5");
+  for (int i = 0; i < 3; ++i) window->key("F6");  // levels, lesson, properties
+  for (int i = 0; i < 3; ++i) window->key("Down");
+  window->key("Return");
+  window->type("2.5");
   window->key("Return");
   EXPECT_TRUE(wait([](const State& s) { return s.vector("eye").x == 2.5; }));
   window->key("Escape");
-  window->xdotool("keydown ctrl keydown z sleep 0.06 keyup z keyup ctrl");
+  window->key("ctrl+z");
   EXPECT_TRUE(wait([](const State& s) { return s.vector("eye").x == 0; }));
 }
 
 TEST_F(RealWindowLessons, TheFirstStartShowsAroundOnce) {
   start({"0-perspective", "--with-tour"});
-  EXPECT_GE(window->state().number("tourCard"), 0);
+  EXPECT_TRUE(window->waitForEver([](const State& s) { return s.number("tourCard") >= 0; }));
   window->key("Escape");
   ASSERT_TRUE(wait([](const State& s) { return s.number("tourCard") == -1; }));
   window->askToClose();
-  ASSERT_TRUE(window->program().waitForEnd(20));
+  ASSERT_TRUE(window->program().waitForEnd());
   start({"0-perspective", "--with-tour"});
   EXPECT_EQ(window->state().number("tourCard"), -1);
 }
 
 TEST_F(RealWindowLessons, ExportsByKeysAlone) {
   start({"1-plane"});
-  window->withControl("e");
+  window->key("ctrl+e");
   ASSERT_TRUE(wait([](const State& s) { return s.is("exporting"); }));
   window->key("Return");
   ASSERT_TRUE(wait([](const State& s) { return s.text("dialog") == "browser"; }));
-  window->xdotool("type --delay 60 take-home.stl");
+  window->type("take-home.stl");
   ASSERT_TRUE(wait([](const State& s) { return s.text("typed") == "take-home.stl"; }))
       << window->state().text("typed");
   window->key("Return");

@@ -90,6 +90,23 @@ TEST(WriteQueue, LeavesADiskThatHangsToItself) {
   EXPECT_EQ(finished.wait_for(Seconds(20)), std::future_status::ready);
 }
 
+TEST(WriteQueue, NamesWhatIsNotDone) {
+  auto goOn = std::make_shared<std::promise<void>>();
+  WriteQueue queue;
+  queue.add("done", [] {});
+  queue.add("fails", [] { throw Error("no", "disk"); });
+  EXPECT_EQ(queue.undone(20), std::vector<std::string>{"fails"});
+  queue.takeOutcomes();
+  EXPECT_TRUE(queue.undone(20).empty());
+  queue.add("hangs", [goOn] { goOn->get_future().get(); });
+  while (queue.idle()) {
+  }
+  queue.add("waits", [] {});
+  EXPECT_EQ(queue.undone(0.05), (std::vector<std::string>{"hangs", "waits"}));
+  goOn->set_value();
+  EXPECT_TRUE(queue.undone(20).empty());
+}
+
 TEST(WriteQueue, WakesAfterEveryJob) {
   std::promise<void> woken;
   WriteQueue queue([&woken] { woken.set_value(); });

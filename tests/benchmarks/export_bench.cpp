@@ -35,7 +35,7 @@ void checkForPrinting(benchmark::State& state) {
 
 void drawSheet(benchmark::State& state) {
   const Level level = loadLevel(std::string(ANAMORPH_LEVELS) + "/3-sphere.json").level;
-  const auto original = placeOriginal(*loadOriginal(level.original.shape, {}), level.original.unitize,
+  const auto original = placeOriginal(*loadOriginal(level.original.shape, {}).mesh, level.original.unitize,
                                       level.original.placement);
   const LevelResult finished = *finishLevel(level, original, 0, {});
   for (auto _ : state) {

@@ -45,7 +45,7 @@ void fileToFile(benchmark::State& state) {
   input.map.eye = input.camera.eye = {0, -12, 8};
   input.tolerancePixels = 0;
   for (auto _ : state) {
-    input.original = std::make_shared<const Mesh>(loadMesh(model.path()));
+    input.original = std::make_shared<const Mesh>(loadMesh(model.path()).mesh);
     saveMesh(out, makeSculpture(input, 0).mesh);
   }
   state.counters["MB"] = static_cast<double>(fs::file_size(model.path())) * 1e-6;

@@ -43,7 +43,7 @@ void liveStep(benchmark::State& state) {
 void release(benchmark::State& state, const char* name) {
   const std::string path = std::string(ANAMORPH_LEVELS) + "/" + name + ".json";
   const Level level = loadLevel(path).level;
-  const auto shape = loadOriginal(level.original.shape, path);
+  const auto shape = loadOriginal(level.original.shape, path).mesh;
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
   for (auto _ : state) {
     const auto finished = finishLevel(level, original, 0);

@@ -119,7 +119,7 @@ TEST(Deform, WritesTheSculptureInEveryFormat) {
   for (const char* name : {"s.obj", "s.stl", "s.ply"}) {
     const Result result = run("deform " + sphereScene + " " + cube + " -o " + (folder / name));
     EXPECT_EQ(result.exitCode, 0) << result.err;
-    const Mesh mesh = loadMesh(folder / name);
+    const Mesh mesh = loadMesh(folder / name).mesh;
     EXPECT_TRUE(isClosed(mesh)) << name;
     EXPECT_GT(signedVolume(mesh), 0) << name;
   }
@@ -130,7 +130,7 @@ TEST(Deform, OffKeepsVerticesAndOrder) {
   ASSERT_EQ(run("deform " + sphereScene + " " + cube + " --tolerance off -o " + (folder / "s.obj")).exitCode,
             0);
   std::ifstream expected(data + "/expected/thesis-sphere-cube.txt");
-  const Mesh mesh = loadMesh(folder / "s.obj");
+  const Mesh mesh = loadMesh(folder / "s.obj").mesh;
   ASSERT_EQ(mesh.positions.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) {
     Point p;
@@ -149,7 +149,7 @@ TEST(Deform, JsonTellsWhatWasMade) {
   EXPECT_THAT(member(json, "status").keys,
               ElementsAre("mapped", "missesMirror", "inFrontOfMirror", "grazing", "hitsMirrorAgain"));
   EXPECT_THAT(member(json, "seconds").keys, ElementsAre("load", "deform", "write"));
-  const Mesh mesh = loadMesh(folder / "s.obj");
+  const Mesh mesh = loadMesh(folder / "s.obj").mesh;
   EXPECT_EQ(member(json, "vertices").number, double(mesh.positions.size()));
   EXPECT_EQ(member(json, "triangles").number, double(mesh.triangles.size()));
   EXPECT_NEAR(member(member(json, "bounds"), "max").items[0].number, boundingBox(mesh.positions).max.x, 1e-9);
@@ -164,7 +164,7 @@ TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
                             " --tolerance off --json -o " + (folder / "s.obj"));
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 inFrontOfMirror)"));
-  const Mesh mesh = loadMesh(folder / "s.obj");
+  const Mesh mesh = loadMesh(folder / "s.obj").mesh;
   ASSERT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.positions[0], Point(2, -1, 1)) << "the original's place";
   EXPECT_EQ(mesh.triangles.size(), 1u);

@@ -31,7 +31,7 @@ TEST(ExportCommand, WritesEveryKindOfFileInOneRun) {
   EXPECT_THAT(result.err, HasSubstr("p.png: 64 x 64 pixels\n"));
   EXPECT_THAT(result.out, HasSubstr("closed              yes\n"));
   EXPECT_THAT(result.out, HasSubstr("printable           yes\n"));
-  EXPECT_EQ(loadMesh(folder / "s.stl").triangles.size(), 12288u);
+  EXPECT_EQ(loadMesh(folder / "s.stl").mesh.triangles.size(), 12288u);
 }
 
 TEST(ExportCommand, ChecksWithoutWriting) {

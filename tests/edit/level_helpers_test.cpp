@@ -18,10 +18,6 @@ namespace {
 
 using namespace testing;
 
-PointArray place(const Level& level, const Mesh& shape) {
-  return placeOriginal(shape, level.original.unitize, level.original.placement)->positions;
-}
-
 std::size_t unmapped(const Level& level, const PointArray& points) {
   MappedPoints mapped;
   mapPointsThrough(makeVertexMap(level), points, mapped);
@@ -32,65 +28,89 @@ PointArray scaledAbout(const PointArray& points, const Point& centre, double fac
   return mapPoints(points, [&](const Point& p) { return centre + factor * (p - centre); });
 }
 
-TEST(FittedToMirror, IsTheLargestSizeLessTwoPercent) {
+std::shared_ptr<const Mesh> placedMesh(const Level& level, const Mesh& shape) {
+  return placeOriginal(shape, level.original.unitize, level.original.placement);
+}
+
+// The rule of all help: what it makes is no worse than what was there.
+TEST(FittedToMirror, IsLargeAndClearOrLeavesAlone) {
   const Mesh shape = makeBox({2, 1, 1}, 3);
-  int fitted = 0, cannot = 0;
+  int fitted = 0, kept = 0, cannot = 0;
   for (const ShapeKind kind : allShapeKinds) {
-    for (unsigned seed = 0; seed < 200; ++seed) {
+    for (unsigned seed = 0; seed < 30; ++seed) {
       SCOPED_TRACE("mirror " + std::to_string(int(kind)) + ", seed " + std::to_string(seed));
       Random random(seed);
-      const Level level = makeRandomLevel(kind, random);
-      const PointArray before = place(level, shape);
-      const Point centre = boundingBox(before).centre();
-      const auto made = originalFittedToMirror(level, before);
+      Level level = makeRandomLevel(kind, random);
+      level.sculpture.tolerancePixels = 1;
+      level.ground.visible = seed % 2 == 0;
+      const auto mesh = placedMesh(level, shape);
+      const Point centre = boundingBox(mesh->positions).centre();
+      const CoarseView before = coarseView(level, mesh, 256);
+      const auto made = originalFittedToMirror(level, mesh);
       if (!made) {
-        // Then not even a point-like one is seen.
-        EXPECT_GT(unmapped(level, scaledAbout(before, centre, 1e-5)), 0u);
+        EXPECT_FALSE(before.clear());
         ++cannot;
         continue;
       }
+      const auto now = placedMesh(*made, shape);
+      EXPECT_EQ(unmapped(*made, now->positions), 0u);
+      EXPECT_TRUE(coarseView(*made, now, 256).clear());
+      if (*made == level) {
+        EXPECT_TRUE(before.clear());
+        ++kept;
+        continue;
+      }
       ++fitted;
-      const PointArray now = place(*made, shape);
-      EXPECT_EQ(unmapped(level, now), 0u);
-      EXPECT_LT(glm::length(boundingBox(now).centre() - centre), 1e-6 * (1 + glm::length(centre)));
-      EXPECT_GT(unmapped(level, scaledAbout(now, centre, 1.0001 / 0.98)), 0u) << "a little more does not fit";
+      EXPECT_LT(glm::length(boundingBox(now->positions).centre() - centre), 1e-6 * (1 + glm::length(centre)));
       Level same = *made;
       same.original.placement = level.original.placement;
       EXPECT_EQ(same, level) << "only the placement is another";
       const Vector ratio = made->original.placement.scale / level.original.placement.scale;
       EXPECT_NEAR(ratio.x, ratio.y, 1e-9 * ratio.x);
       EXPECT_NEAR(ratio.x, ratio.z, 1e-9 * ratio.x);
+      if (before.clear()) {
+        EXPECT_GT(ratio.x, 1);
+      }
+      // A quarter more is too much, by one reason or the other.
+      const PointArray more = scaledAbout(now->positions, centre, 1.25);
+      auto larger = std::make_shared<Mesh>(*now);
+      larger->positions = more;
+      Level moreLevel = scaled(*made, {Part::original}, centre, Vector(1.25));
+      EXPECT_TRUE(unmapped(level, more) > 0 || !coarseView(moreLevel, larger, 256).clear());
     }
   }
-  EXPECT_GT(fitted, 300);
-  EXPECT_LT(cannot, 250);
+  std::printf("%d fitted, %d kept, %d without a size\n", fitted, kept, cannot);
+  EXPECT_GT(fitted, 40);
+  EXPECT_LT(cannot, 70);
 }
 
-TEST(FittedToMirror, TwiceIsOnce) {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    Random random(seed);
-    const Level level = makeRandomLevel(ShapeKind::sphere, random);
-    const Mesh shape = makeSphere(1, 12);
-    const auto once = originalFittedToMirror(level, place(level, shape));
-    if (!once) continue;
-    const auto twice = originalFittedToMirror(*once, place(*once, shape));
-    ASSERT_TRUE(twice);
-    EXPECT_NEAR(twice->original.placement.scale.x / once->original.placement.scale.x, 1, 1e-6);
-  }
+TEST(FittedToMirror, DoesNotSpoilWhatIsRight) {
+  // An original that is tall to a low eye: as large as it is mapped it would hide more than half of itself.
+  Level level = loadLevel(std::filesystem::path(ANAMORPH_LEVELS) / "1-plane.json").level;
+  level.camera.eye = {0, -50, 40};
+  level.original.shape = BoxShape{{2, 2, 2}, 4};
+  level.sculpture.tolerancePixels = 1;
+  const auto mesh = placedMesh(level, makeBox({2, 2, 2}, 4));
+  ASSERT_TRUE(coarseView(level, mesh, 256).clear());
+  const auto made = originalFittedToMirror(level, mesh);
+  ASSERT_TRUE(made);
+  EXPECT_TRUE(coarseView(*made, placedMesh(*made, makeBox({2, 2, 2}, 4)), 512).clear());
 }
 
 TEST(FittedToMirror, NothingWithoutAWay) {
   for (const Level& level : makeAbsurdLevels()) {
-    EXPECT_NO_THROW(originalFittedToMirror(level, place(level, makeBox({1, 1, 1}, 1))));
+    EXPECT_NO_THROW(originalFittedToMirror(level, placedMesh(level, makeBox({1, 1, 1}, 1))));
   }
   Level level;
-  EXPECT_FALSE(originalFittedToMirror(level, PointArray()));
+  EXPECT_FALSE(originalFittedToMirror(level, nullptr));
+  EXPECT_FALSE(originalFittedToMirror(level, std::make_shared<const Mesh>()));
   level.original.placement.position = {0, -8, 3};
-  EXPECT_FALSE(originalFittedToMirror(level, place(level, makeBox({1, 1, 1}, 1)))) << "before the mirror";
+  EXPECT_FALSE(originalFittedToMirror(level, placedMesh(level, makeBox({1, 1, 1}, 1))))
+      << "before the mirror";
 }
 
 std::shared_ptr<const Mesh> originalOf(const Level& level) {
-  return placeOriginal(*loadOriginal(level.original.shape, {}), level.original.unitize,
+  return placeOriginal(*loadOriginal(level.original.shape, {}).mesh, level.original.unitize,
                        level.original.placement);
 }
 

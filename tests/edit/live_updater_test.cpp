@@ -517,7 +517,7 @@ TEST(LiveUpdater, LargeOriginalsDoNotFollowInTheFrame) {
   const UpdateOptions small{16, false};
   updater.finish(session, small);
   const LevelResult& result = updater.result();
-  ASSERT_GT(result.shape->positions.size(), LiveUpdater::liveVertexLimit);
+  ASSERT_GT(result.shape->positions.size(), 2 * LiveUpdater::liveVerticesPerThread);
   ASSERT_TRUE(waitUntil([&] { return !updater.busy(); }));
   EXPECT_TRUE(result.refined && result.match);
   const auto original = result.original.mesh;

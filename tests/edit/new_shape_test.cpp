@@ -110,7 +110,7 @@ class NewShape : public ::testing::Test {
     return level;
   }
   static LevelResult resultOf(const Level& level) {
-    const auto shape = loadOriginal(level.original.shape, "");
+    const auto shape = loadOriginal(level.original.shape, "").mesh;
     return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 2);
   }
 };

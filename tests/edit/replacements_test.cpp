@@ -67,7 +67,7 @@ TEST(MirrorOfKind, IsSoundWhateverTheOldOneIs) {
 }
 
 Box placedBox(const Level& level) {
-  const auto mesh = loadOriginal(level.original.shape, {});
+  const auto mesh = loadOriginal(level.original.shape, {}).mesh;
   return boundingBox(placeOriginal(*mesh, level.original.unitize, level.original.placement)->positions);
 }
 

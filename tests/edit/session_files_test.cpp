@@ -2,25 +2,23 @@
 // saved is not lost.
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/program.h"
-#include "edit/level_files.h"
 #include "edit/session.h"
 #include "error_text.h"
 #include "level/level_json.h"
 #include "level/random_level.h"
-#include "pipeline/original.h"
 #include "shapes.h"
 #include "small_disk.h"
 
@@ -29,9 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace testing;
-
-const fs::path levels = ANAMORPH_LEVELS;
-const fs::path meshes = fs::path(ANAMORPH_TEST_DATA) / "meshes";
 
 Level numbered(int number) {
   Level level;
@@ -104,103 +99,11 @@ TEST(SessionFiles, ASavedSceneOfTheThesisIsALevel) {
   EXPECT_FALSE(loadLevel(folder / "level.json").isThesisScene);
 }
 
-// The mesh beside the level, in one folder; the level then goes to others.
-class MovedLevel : public ::testing::Test {
- protected:
-  MovedLevel() {
-    fs::create_directories(folder / "a/meshes");
-    fs::create_directories(folder / "b");
-    fs::copy_file(meshes / "cube.obj", folder / "a/meshes/cube.obj");
-    Level level;
-    level.original.shape = FileShape{"meshes/cube.obj"};
-    saveLevel(folder / "a/level.json", level);
-    session.open(folder / "a/level.json");
-  }
-  const std::string& meshPath() const { return std::get<FileShape>(session.level().original.shape).path; }
-  bool findsMesh() const {
-    return loadOriginal(session.level().original.shape, session.path())->positions.size() == 8;
-  }
-
-  TemporaryFolder folder;
-  Session session;
-};
-
-TEST_F(MovedLevel, FindsItsMeshFromAnotherFolder) {
-  Level changed = session.level();
-  changed.sculpture.depthScale = 2;
-  session.edit(changed);
-  session.saveTo(folder / "b/level.json");
-  EXPECT_TRUE(fs::path(meshPath()).is_absolute());
-  EXPECT_TRUE(findsMesh());
-  session.undo();
-  EXPECT_TRUE(findsMesh()) << "the steps before the saving are of the new folder, too";
-  session.redo();
-  session.saveTo(folder / "a/other.json");
-  EXPECT_EQ(meshPath(), "meshes/cube.obj") << "relative again where it lies below the level";
-  EXPECT_TRUE(findsMesh());
-  EXPECT_FALSE(session.modified());
-}
-
-TEST_F(MovedLevel, KeepsItsWordsInTheSameFolder) {
-  Level level = session.level();
-  level.original.shape = FileShape{"../a/meshes/cube.obj"};
-  session.edit(level);
-  session.saveTo(folder / "a/again.json");
-  EXPECT_EQ(meshPath(), "../a/meshes/cube.obj");
-}
-
-TEST_F(MovedLevel, FollowsLinksOfFolders) {
-  fs::create_directories(folder / "far/away");
-  fs::create_directory_symlink(folder / "far/away", folder / "link");
-  fs::copy_file(meshes / "cube.obj", folder / "far/cube.obj");
-  Level level = session.level();
-  saveLevel(folder / "link/level.json", level);
-  session.open(folder / "link/level.json");
-  level.original.shape = FileShape{"../cube.obj"};  // of far/away, not beside the link
-  session.edit(level);
-  ASSERT_TRUE(findsMesh());
-  session.saveTo(folder / "b/level.json");
-  EXPECT_TRUE(findsMesh()) << meshPath();
-}
-
-TEST_F(MovedLevel, AsTextIsFoundFromEverywhere) {
-  const std::string text = levelAsText(session.level(), session.path());
-  EXPECT_EQ(text.find('\n'), std::string::npos);
-  Session other;
-  other.startNew(levelFromText(text, {}));
-  EXPECT_EQ(loadOriginal(other.level().original.shape, {})->positions.size(), 8u);
-  EXPECT_EQ(levelFromText(text, session.path()), session.level());
-}
-
-TEST(LevelText, BadTextsAreClearMessages) {
-  for (const char* text : {"", " \n", "Hello", "{", "[1]", "{\"format\": \"anamorph-level\"}",
-                           "{\"Eye\": [0, 0, 0], \"Objects\": []}"}) {
-    const std::string message = errorOf([&] { levelFromText(text, {}); });
-    EXPECT_EQ(message.find("the text on the clipboard"), 0u) << text << ": " << message;
-  }
-}
-
-TEST(LevelText, RandomLevelsComeBack) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Level level = RandomLevel(seed).make();
-    if (auto* file = std::get_if<FileShape>(&level.original.shape)) file->path = "/x" + std::to_string(seed);
-    EXPECT_EQ(levelFromText(levelAsText(level, "/somewhere/level.json"), "/else/where.json"), level);
-  }
-}
-
-TEST(InstalledLevels, AreKnownHoweverTheirPathIsWritten) {
-  EXPECT_TRUE(isInstalledLevel(levels / "1-plane.json"));
-  EXPECT_TRUE(isInstalledLevel(levels / ".." / "levels" / "new.json"));
-  EXPECT_FALSE(isInstalledLevel("/tmp/1-plane.json"));
-  EXPECT_FALSE(isInstalledLevel({}));
-}
-
 TEST(Recovery, IsOneStepFromWhatIsSaved) {
   const TemporaryFolder folder;
   saveLevel(folder / "a.json", numbered(1));
   Session session;
-  session.recover(folder / "a.json", numbered(5));
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5));
   EXPECT_EQ(session.level(), numbered(5));
   EXPECT_TRUE(session.modified());
   session.undo();
@@ -210,11 +113,9 @@ TEST(Recovery, IsOneStepFromWhatIsSaved) {
 
 TEST(Recovery, NeedsNoFile) {
   const TemporaryFolder folder;
-  writeText(folder / "broken.json", "{");
-  for (const fs::path& path :
-       {fs::path(), fs::path(folder / "gone.json"), fs::path(folder / "broken.json")}) {
+  for (const fs::path& path : {fs::path(), fs::path(folder / "gone.json")}) {
     Session session;
-    session.recover(path, numbered(5));
+    session.recover(path, std::nullopt, numbered(5));
     EXPECT_EQ(session.level(), numbered(5));
     EXPECT_EQ(session.path(), path);
     EXPECT_TRUE(session.modified());
@@ -225,15 +126,16 @@ TEST(Recovery, IsNotSavedOverWhatItDoesNotKnow) {
   const TemporaryFolder folder;
   writeText(folder / "broken.json", "{");
   Session session;
-  session.recover(folder / "broken.json", numbered(5));
+  session.recover(folder / "broken.json", std::nullopt, numbered(5));
   EXPECT_TRUE(session.isFileChanged()) << "a file that cannot be read may be somebody's work";
-  session.recover(folder / "gone.json", numbered(5));
+  session.recover(folder / "gone.json", std::nullopt, numbered(5));
   EXPECT_FALSE(session.isFileChanged());
   saveLevel(folder / "a.json", numbered(1));
   const auto written = fs::last_write_time(folder / "a.json");
-  session.recover(folder / "a.json", numbered(5), written);
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5), written);
   EXPECT_FALSE(session.isFileChanged());
-  session.recover(folder / "a.json", numbered(5), written - std::chrono::seconds(1));
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5),
+                  written - std::chrono::seconds(1));
   EXPECT_TRUE(session.isFileChanged()) << "another program wrote it, before or after the rescue";
   EXPECT_EQ(session.fileTime(), written - std::chrono::seconds(1)) << "also for the next rescue";
   session.saveTo(folder / "a.json");
@@ -294,51 +196,6 @@ TEST(FailedSave, OfALevelThatCouldNotBeOpenedSaysWhy) {
   session.edit(broken);
   expectNothingLost(session, folder / "", folder / "a.json", "radius");
   EXPECT_FALSE(fs::exists(folder / "a.json"));
-}
-
-// A child saves two levels in turn, over and over, and is killed at any moment.
-TEST(KilledSave, LeavesOneOfTheCompleteVersions) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "level.json";
-  Level versions[2] = {numbered(1), numbered(2)};
-  versions[1].text.edit(
-      [](LevelText& text) { text.description = std::string(200000, 'x'); });  // more than one write
-  saveLevel(path, versions[0]);
-  int seen[2] = {0, 0};
-  for (int round = 0; round < 60; ++round) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      for (int i = round;; ++i) saveLevel(path, versions[i % 2]);
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(500 + (round * 7919) % 15000));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status)) << "it was killed, it did not fail";
-    const Level now = loadLevel(path).level;
-    ASSERT_TRUE(now == versions[0] || now == versions[1]) << "round " << round;
-    ++seen[now == versions[1]];
-  }
-  EXPECT_GT(seen[0] + seen[1], 0);
-}
-
-TEST(KilledSave, WhatItLeavesIsClearedAwayLater) {
-  const TemporaryFolder folder;
-  const auto age = [](const std::string& file, std::chrono::minutes minutes) {
-    fs::last_write_time(file, fs::file_time_type::clock::now() - minutes);
-  };
-  for (const char* name : {".anamorph-aB3xYz", ".anamorph-Fresh1", "anamorph-123456"}) {
-    writeText(folder / name, "{\"format\": ");
-    age(folder / name, std::chrono::minutes(20));
-  }
-  age(folder / ".anamorph-Fresh1", std::chrono::minutes(1));
-  Session session;
-  session.startNew(numbered(0));
-  session.saveTo(folder / "level.json");
-  EXPECT_FALSE(fs::exists(folder / ".anamorph-aB3xYz"));
-  EXPECT_TRUE(fs::exists(folder / ".anamorph-Fresh1")) << "somebody may still be writing it";
-  EXPECT_TRUE(fs::exists(folder / "anamorph-123456"));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(Export, SculptureIsInMillimetresInEveryFormat) {
   for (const char* name : {"a.obj", "a.stl", "a.ply", "A.STL"}) {
     const auto summary = exportLevel(finished, requestFor(folder / name));
     ASSERT_TRUE(summary) << name;
-    const Box got = boundingBox(loadMesh(folder / name).positions);
+    const Box got = boundingBox(loadMesh(folder / name).mesh.positions);
     EXPECT_LT(glm::length(got.min - box.min) + glm::length(got.max - box.max), 1e-4) << name;
     EXPECT_THAT(summary->description, HasSubstr("52.1 x 14.8 x 14.6 mm"));
   }
@@ -118,7 +118,7 @@ TEST(Export, BasePlateComesAlong) {
   ExportRequest request = requestFor(folder / "a.stl");
   request.basePlate = BasePlateSettings{};
   ASSERT_TRUE(exportLevel(finished, request));
-  const Mesh mesh = loadMesh(folder / "a.stl");
+  const Mesh mesh = loadMesh(folder / "a.stl").mesh;
   EXPECT_NEAR(boundingBox(mesh.positions).min.z, 0, 1e-6) << "down to the table";
   const PrintCheck check = *checkPrint(mesh);
   EXPECT_TRUE(check.topology.isSound()) << "closed shells";

@@ -12,7 +12,7 @@
 namespace anamorph::testing {
 
 inline LevelResult finish(const Level& level) {
-  const auto shape = loadOriginal(level.original.shape, "");
+  const auto shape = loadOriginal(level.original.shape, "").mesh;
   return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
 }
 

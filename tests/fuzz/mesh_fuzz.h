@@ -31,7 +31,7 @@ inline void checkMesh(const Mesh& mesh) {
 /// nor Error.
 inline bool readsAsMesh(std::string_view bytes, const std::string& name) {
   try {
-    checkMesh(readMesh(bytes, name, {.maxBytes = 1 << 20, .maxVertices = 100'000}));
+    checkMesh(readMesh(bytes, name, {.maxBytes = 1 << 20, .maxVertices = 100'000}).mesh);
     return true;
   } catch (const Error& error) {
     CHECK(!error.message.empty() && error.file == name);

@@ -52,7 +52,7 @@ TEST_F(MeshFiles, ObjAndPlyReadBackToTheSameBits) {
     const Mesh mesh = makeRandomMesh(random);
     for (const char* name : {"mesh.obj", "mesh.ply"}) {
       saveMesh(path(name), mesh, {.scale = 1, .comment = "a comment"});
-      const Mesh read = loadMesh(path(name));
+      const Mesh read = loadMesh(path(name)).mesh;
       ASSERT_EQ(read.triangles, mesh.triangles) << name << ", seed " << seed;
       ASSERT_EQ(bitsOf(read), bitsOf(mesh)) << name << ", seed " << seed;
     }
@@ -63,7 +63,7 @@ TEST_F(MeshFiles, StlReadsBackToFloatPrecision) {
   for (const Mesh& mesh :
        {makeBox({6, 2, 2}, 8), makeTorusKnot(2, 3, 0.2, 64, 8), makePawn(2, 16), makeSphere(0.1, 9)}) {
     saveMesh(path("mesh.stl"), mesh);
-    const Mesh read = loadMesh(path("mesh.stl"));
+    const Mesh read = loadMesh(path("mesh.stl")).mesh;
     ASSERT_EQ(read.positions.size(), mesh.positions.size());
     ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
     EXPECT_TRUE(isClosed(read));
@@ -83,7 +83,7 @@ TEST_F(MeshFiles, EveryFormatTakesCapitalEndings) {
   for (const char* name : {"A.OBJ", "a.Stl", "a b.PLY"}) {
     EXPECT_TRUE(isMeshFile(name));
     saveMesh(path(name), cube);
-    EXPECT_EQ(loadMesh(path(name)).triangles.size(), cube.triangles.size()) << name;
+    EXPECT_EQ(loadMesh(path(name)).mesh.triangles.size(), cube.triangles.size()) << name;
   }
 }
 
@@ -91,7 +91,7 @@ TEST_F(MeshFiles, ManyRowsStayInOrder) {
   const Mesh fine = makeBox({1, 2, 3}, 210);  // more rows than are formatted at a time
   ASSERT_GT(fine.triangles.size(), 64u * 8192);
   saveMesh(path("fine.obj"), fine);
-  EXPECT_TRUE(loadMesh(path("fine.obj")) == fine);
+  EXPECT_TRUE(loadMesh(path("fine.obj")).mesh == fine);
 }
 
 TEST_F(MeshFiles, ObjIsWhatPeopleExpect) {
@@ -121,7 +121,7 @@ TEST_F(MeshFiles, PlyAndStlHaveTheirHeads) {
 TEST_F(MeshFiles, ScaleMultipliesPositions) {
   const Mesh cube = makeBox({2, 2, 2}, 1);
   saveMesh(path("m.ply"), cube, {.scale = 12.5, .comment = ""});
-  EXPECT_EQ(boundingBox(loadMesh(path("m.ply")).positions).max, Point(12.5));
+  EXPECT_EQ(boundingBox(loadMesh(path("m.ply")).mesh.positions).max, Point(12.5));
 }
 
 TEST_F(MeshFiles, MeshesWithoutTrianglesCanBeWrittenButNotRead) {
@@ -200,6 +200,22 @@ TEST_F(MeshFiles, FilesLargerThanTheLimitAreNotRead) {
             path("large.obj") + ": expected at most 1 MiB, got 2 MiB; --max-mesh-mb raises the limit");
 }
 
+TEST_F(MeshFiles, BytesWithoutANameAreKnownByWhatTheyBeginWith) {
+  const std::string text =
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  EXPECT_EQ(readMesh(text, "standard input").mesh.triangles.size(), 1u);
+  for (const char* name : {"m.obj", "m.stl", "m.ply"}) {
+    saveMesh(path(name), readMesh(text, "text.stl").mesh);
+    const std::string bytes(readFile(path(name), 1 << 20).view());
+    EXPECT_EQ(readMesh(bytes, "standard input").mesh.triangles.size(), 1u) << name;
+  }
+  EXPECT_EQ(errorOf([] { readMesh("", "standard input"); }),
+            "standard input: expected a mesh, got an empty file");
+  EXPECT_EQ(errorOf([] { readMesh("{}", "standard input"); }),
+            "standard input: expected a file name that ends in .obj, .stl or .ply");
+}
+
 TEST_F(MeshFiles, TextThatIsNoMesh) {
   const std::string page = "<!DOCTYPE html>\n<html><body>404 Not Found</body></html>\n";
   EXPECT_EQ(errorOf([&] { readMesh(page, "m.obj"); }),
@@ -218,7 +234,7 @@ TEST_F(MeshFiles, CutOffAnywhere) {
     const std::string whole = contents(path(name));
     for (std::size_t size = 0; size < whole.size(); ++size) {
       const std::string text = errorOf([&] {
-        for (const Triangle& t : readMesh(whole.substr(0, size), name).triangles) {
+        for (const Triangle& t : readMesh(whole.substr(0, size), name).mesh.triangles) {
           for (const std::uint32_t corner : t) ASSERT_LT(corner, 8u);
         }
       });

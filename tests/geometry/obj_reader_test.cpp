@@ -13,7 +13,8 @@ namespace {
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 Mesh read(const std::string& text, const MeshLimits& limits = {}) {
-  return readObj(text, "m.obj", limits);
+  MeshRemarks remarks("m.obj");
+  return readObj(text, remarks, limits);
 }
 
 std::vector<Triangle> trianglesOf(const std::string& faces) {

@@ -14,7 +14,8 @@ namespace anamorph {
 namespace {
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
-  return readPly(bytes, "m.ply", limits);
+  MeshRemarks remarks("m.ply");
+  return readPly(bytes, remarks, limits);
 }
 
 std::string head(const std::string& format, const std::string& elements) {

@@ -12,7 +12,8 @@ namespace anamorph {
 namespace {
 
 Mesh read(const std::string& bytes, const MeshLimits& limits = {}) {
-  return readStl(bytes, "m.stl", limits);
+  MeshRemarks remarks("m.stl");
+  return readStl(bytes, remarks, limits);
 }
 
 // Two triangles of a square.

@@ -124,7 +124,7 @@ TEST_F(Gl, TexelArraysKeepTheirPlaces) {
   EXPECT_FALSE(arrays.reserve(std::array<std::size_t, 3>{2 * row, 0, 1})) << "there is room";
   std::vector<float> texels(4 * (row + 1));
   std::iota(texels.begin(), texels.end(), 0.0f);
-  arrays.write(0, texels.data(), row + 1);
+  arrays.write(0, 0, texels.data(), row + 1);
   EXPECT_TRUE(arrays.reserve(std::array<std::size_t, 3>{2 * row + 1, 0, 1}));
 }
 

@@ -92,6 +92,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "f.json: line 1, column 4: syntax error while parsing value - invalid literal; last read: "
                 "'{} /'; "
                 "expected end of input"},
+        BadText{"SmartQuote", "{“a”: 1}",
+                "f.json: line 1, column 2: syntax error while parsing object key - invalid literal; last "
+                "read: '{“'; "
+                "expected string literal"},
         BadText{"TwoDocuments", "{}\n{}",
                 "f.json: line 2, column 1: syntax error while parsing value - unexpected '{'; expected end "
                 "of input"},

@@ -102,7 +102,7 @@ class RandomLevel {
       case 4:
         return PawnShape{length(), whole(3, 2048)};
       default:
-        return FileShape{"x" + text()};
+        return FileShape{"x" + text(), coin() ? "v " + text() : std::string()};
     }
   }
   Camera camera() {

@@ -78,6 +78,7 @@ TEST(Actions, LettersAndDigitsHaveTheNameOfTheirKey) {
     std::string name;
     if (key.modifiers & keys::control) name += "Ctrl+";
     if (key.modifiers & keys::shift) name += "Shift+";
+    if (key.modifiers & keys::alt) name += "Alt+";
     EXPECT_EQ(keyName(key), name + static_cast<char>(key.code));
   }
   EXPECT_EQ(keyName({keys::left, keys::alt}), "Alt+Left");

@@ -47,7 +47,7 @@ struct Literal {
   std::string places;  // "#: file:line file:line"
 };
 
-// What xgettext finds in the files: with "-k -ktr" all that stands in tr(), with "-a" all string literals.
+// What xgettext finds in the files: with "-k -ktr -ktrFormat" all that is translated, with "-a" all string literals.
 std::vector<Literal> literalsIn(const std::vector<fs::path>& files, const std::string& arguments) {
   std::string command = "xgettext --language=C++ --from-code=UTF-8 --no-wrap --output=- " + arguments;
   for (const fs::path& file : files) command += " '" + file.string() + "'";
@@ -83,7 +83,7 @@ std::vector<fs::path> filesThatSpeak() {
   std::vector<fs::path> files;
   const std::set<std::string> rooms{"anamorphosis", "edit",     "exports", "optics",
                                     "panels",       "pipeline", "raytrace"};
-  const std::vector<const char*> marks{" tr(", "(tr(", "Notice{"};
+  const std::vector<const char*> marks{" tr(", "(tr(", "trFormat(", "Notice{"};
   for (const fs::path& file : sourceFiles()) {
     const std::string code = textOf(file);
     const bool speaks = std::any_of(marks.begin(), marks.end(),
@@ -118,11 +118,23 @@ class SourceTexts : public ::testing::Test {
 };
 
 TEST_F(SourceTexts, AreInTheDutchTableWhereTheyAreTranslated) {
-  const std::vector<Literal> literals = literalsIn(sourceFiles(), "-k -ktr");
+  const std::vector<Literal> literals = literalsIn(sourceFiles(), "-k -ktr -ktrFormat");
   EXPECT_GT(literals.size(), 150u);
   for (const Literal& literal : literals) {
     EXPECT_EQ(known.count(literal.text), 1u)
         << literal.places << "\n\"" << literal.text << "\"\nis not in assets/languages/nl.json";
+  }
+}
+
+// A translation that is no format would end the program: trFormat() shows the English text then.
+TEST(TranslatedFormats, AreMadeByTrFormat) {
+  for (const fs::path& file : sourceFiles()) {
+    const std::string code = textOf(file);
+    for (std::size_t at = 0; (at = code.find("fmt::runtime(", at)) != std::string::npos; ++at) {
+      const bool checked = at >= 9 && code.compare(at - 9, 9, "trFormat(") == 0;
+      EXPECT_TRUE(checked || file.filename() == "language.h")
+          << file << ": fmt::runtime outside of trFormat()";
+    }
   }
 }
 

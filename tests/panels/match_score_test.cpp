@@ -9,9 +9,12 @@ namespace {
 
 LevelResult measured(double iou, bool refined = true) {
   auto match = std::make_shared<Match>();
+  match->report.width = match->report.height = 100;
+  match->report.originalPixels = 1000;
   match->report.silhouetteIou = iou;
+  match->report.contourPx = 10 * (1 - iou);
   match->report.comparedPixels = 100;
-  match->report.triangleAgreement = iou > 0.9 ? 1 : 0;
+  match->report.triangleAgreement = iou > 0.5 ? 1 : 0;
   LevelResult result;
   result.match = match;
   result.refined = refined;
@@ -50,9 +53,22 @@ TEST(MatchScore, GradesInWordAndColour) {
   EXPECT_EQ(matchScore(measured(1)).tone, MatchScore::Tone::good);
   EXPECT_EQ(matchScore(measured(0.7)).word, "partial");
   EXPECT_EQ(matchScore(measured(0.7)).tone, MatchScore::Tone::middling);
-  EXPECT_EQ(matchScore(measured(0.1)).word, "none");
-  EXPECT_EQ(matchScore(measured(0.1)).tone, MatchScore::Tone::bad);
+  EXPECT_EQ(matchScore(measured(0.3)).word, "poor");
+  EXPECT_EQ(matchScore(measured(0.3)).tone, MatchScore::Tone::bad);
   EXPECT_EQ(matchScore(measured(0.7, false)).word, "live");
+}
+
+TEST(MatchScore, OfAnOriginalThatCoversFewPixelsIsNoGradeButAdvice) {
+  LevelResult result = measured(1);
+  auto match = std::make_shared<Match>(*result.match);
+  match->report.originalPixels = 12;
+  result.match = match;
+  const MatchScore score = matchScore(result);
+  EXPECT_EQ(score.word, "too small");
+  EXPECT_EQ(score.percent, "-");
+  EXPECT_EQ(score.tone, MatchScore::Tone::unknown);
+  EXPECT_EQ(score.help,
+            "from this eye the original covers 12 pixels: come nearer or narrow the field of view");
 }
 
 TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
@@ -61,10 +77,10 @@ TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
   match->report.hiddenShare = 0.2;
   result.match = match;
   const MatchScore score = matchScore(result);
-  ASSERT_EQ(score.parts.size(), 4u);
-  EXPECT_TRUE(score.parts[0].good && score.parts[1].good && score.parts[3].good);
-  EXPECT_FALSE(score.parts[2].good);
-  EXPECT_EQ(score.parts[2].value, "20.0 %");
+  ASSERT_EQ(score.parts.size(), 6u);
+  for (const MatchPart& part : score.parts)
+    EXPECT_EQ(part.good, std::string(part.name) != "Hidden") << part.name;
+  EXPECT_EQ(score.parts[3].value, "20.0 %");
   EXPECT_NE(score.word, "excellent");
 }
 

@@ -30,7 +30,7 @@ inline std::vector<Level> quickLevels() {
 }
 
 inline std::shared_ptr<const Mesh> placedOriginal(const Level& level) {
-  return placeOriginal(*loadOriginal(level.original.shape, "level.json"), level.original.unitize,
+  return placeOriginal(*loadOriginal(level.original.shape, "level.json").mesh, level.original.unitize,
                        level.original.placement);
 }
 

@@ -38,7 +38,7 @@ class Expected : public ::testing::TestWithParam<Case> {};
 TEST_P(Expected, VerticesAreRightToTwelveDigits) {
   const auto [scene, model] = GetParam();
   const LoadedLevel loaded = loadLevel(fileOf(scene));
-  const Mesh mesh = loadMesh(data + "/meshes/" + model + ".obj");
+  const Mesh mesh = loadMesh(data + "/meshes/" + model + ".obj").mesh;
   DeformInput input =
       makeDeformInput(loaded.level, placeOriginal(mesh, false, loaded.level.original.placement));
   input.tolerancePixels = 0;
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ExpectedProblem, ThesisCylinderIsExplained) {
   const LoadedLevel loaded = loadLevel(data + "/scenes/thesis-cylinder.json");
-  const Mesh mesh = loadMesh(data + "/meshes/box.obj");
+  const Mesh mesh = loadMesh(data + "/meshes/box.obj").mesh;
   const auto original = placeOriginal(mesh, false, loaded.level.original.placement);
   EXPECT_EQ(findProblem(loaded.level, boundingBox(original->positions)),
             "the eye is inside the cylinder (continued beyond its ends): it is 5 from the axis and the "

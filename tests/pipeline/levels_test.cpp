@@ -14,7 +14,7 @@ namespace anamorph {
 namespace {
 
 LevelResult finish(const Level& level, const std::string& path) {
-  const auto shape = loadOriginal(level.original.shape, path);
+  const auto shape = loadOriginal(level.original.shape, path).mesh;
   return *finishLevel(level, placeOriginal(*shape, level.original.unitize, level.original.placement), 0);
 }
 
@@ -99,7 +99,7 @@ TEST(ThesisScenes, EightVertexCubeNeedsRefinement) {
     SCOPED_TRACE(name);
     const std::string data = ANAMORPH_TEST_DATA;
     Level level = loadLevel(data + "/scenes/" + name + ".json").level;
-    const Mesh cube = loadMesh(data + "/meshes/cube.obj");
+    const Mesh cube = loadMesh(data + "/meshes/cube.obj").mesh;
     const auto original = placeOriginal(cube, false, level.original.placement);
     level.camera.target = boundingBox(original->positions).centre();
     const LevelResult refined = *finishLevel(level, original, 0);

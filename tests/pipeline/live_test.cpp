@@ -106,7 +106,7 @@ TEST(LiveOriginal, IsPlacedAsTheSettledOne) {
     for (unsigned seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE("shape " + std::to_string(shape.index()) + ", seed " + std::to_string(seed));
       Random random(seed);
-      const auto mesh = loadOriginal(shape, "level.json");
+      const auto mesh = loadOriginal(shape, "level.json").mesh;
       LiveOriginal live(mesh, prepareMesh(placeOriginal(*mesh, seed == 1, {})));
       for (int i = 0; i < 4; ++i) {
         const bool unitized = i % 2 == 1;
@@ -150,7 +150,7 @@ TEST(LiveSculpture, FollowsAsTheMapSays) {
       Random random(seed);
       Level start = levels[which];
       if (seed % 4 == 3) start.sculpture.tolerancePixels = 0;
-      const auto shape = loadOriginal(start.original.shape, "level.json");
+      const auto shape = loadOriginal(start.original.shape, "level.json").mesh;
       const PreparedMesh original = prepareMesh(placedOriginal(start));
       LiveOriginal liveOriginal(shape, original);
       LiveSculpture live(original, settledSculpture(start, original));
@@ -225,7 +225,7 @@ TEST(LiveSculpture, WhatIsHeldStaysAsItIsWhileLaterFramesAreMade) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const Level start = quickLevels()[seed % 3];
-    const auto shape = loadOriginal(start.original.shape, "level.json");
+    const auto shape = loadOriginal(start.original.shape, "level.json").mesh;
     const PreparedMesh original = prepareMesh(placedOriginal(start));
     LiveOriginal liveOriginal(shape, original);
     LiveSculpture live(original, settledSculpture(start, original));
@@ -290,7 +290,7 @@ TEST(LiveSculpture, BuffersThatNobodyHoldsAreUsedAgain) {
   Level level = quickLevels()[1];
   const PreparedMesh original = prepareMesh(placedOriginal(level));
   LiveSculpture live(original, settledSculpture(level, original));
-  LiveOriginal liveOriginal(loadOriginal(level.original.shape, "level.json"), original);
+  LiveOriginal liveOriginal(loadOriginal(level.original.shape, "level.json").mesh, original);
   std::set<const void*> sculptures, originals;
   PreparedSculpture shown;
   PreparedMesh placed;
@@ -315,7 +315,7 @@ TEST(LiveSculpture, UnmappedPartsGoAndComeBack) {
       Level parted = whole;
       parted.original.placement.position.x += 4;  // part of it is beside the mirror, seen from the eye
       const Level& start = startsWhole ? whole : parted;
-      const auto shape = loadOriginal(start.original.shape, "level.json");
+      const auto shape = loadOriginal(start.original.shape, "level.json").mesh;
       const PreparedMesh original = prepareMesh(placedOriginal(start));
       const PreparedSculpture settled = settledSculpture(start, original);
       LiveOriginal liveOriginal(shape, original);
@@ -373,7 +373,7 @@ TEST(LiveSculpture, MatchesTheOriginalInPixelsToo) {
   // The same test of the result as for settled ones: what the mirror shows is the original.
   for (const Level& start : quickLevels()) {
     Level level = start;
-    const auto shape = loadOriginal(start.original.shape, "level.json");
+    const auto shape = loadOriginal(start.original.shape, "level.json").mesh;
     const PreparedMesh original = prepareMesh(placedOriginal(start));
     LiveOriginal liveOriginal(shape, original);
     LiveSculpture live(original, settledSculpture(start, original));

@@ -12,7 +12,7 @@ TEST(Original, EveryBuiltInShapeIsClosed) {
   for (const OriginalShape& shape :
        {OriginalShape(BoxShape{}), OriginalShape(SphereShape{}), OriginalShape(TorusKnotShape{}),
         OriginalShape(LetterFShape{}), OriginalShape(PawnShape{})}) {
-    const auto mesh = loadOriginal(shape, "level.json");
+    const auto mesh = loadOriginal(shape, "level.json").mesh;
     EXPECT_TRUE(isClosed(*mesh)) << shape.index();
     EXPECT_GT(signedVolume(*mesh), 0) << shape.index();
   }
@@ -20,7 +20,7 @@ TEST(Original, EveryBuiltInShapeIsClosed) {
 
 TEST(Original, FileLiesBesideTheLevel) {
   const std::string level = std::string(ANAMORPH_TEST_DATA) + "/meshes/level.json";
-  EXPECT_EQ(loadOriginal(FileShape{"cube.obj"}, level)->positions.size(), 8u);
+  EXPECT_EQ(loadOriginal(FileShape{"cube.obj"}, level).mesh->positions.size(), 8u);
   EXPECT_THROW(loadOriginal(FileShape{"nothing.obj"}, level), Error);
 }
 

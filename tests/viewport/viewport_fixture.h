@@ -27,7 +27,7 @@ inline const LevelResult& finishedLevel(const std::string& name) {
                                ? installed
                                : std::string(ANAMORPH_TEST_DATA) + "/levels/" + name + ".json";
   const Level level = loadLevel(path).level;
-  const auto shape = loadOriginal(level.original.shape, path);
+  const auto shape = loadOriginal(level.original.shape, path).mesh;
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
   return levels.emplace(name, *finishLevel(level, original, 0)).first->second;
 }
