@@ -2,14 +2,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/kept_attributes.h"
-#include "base/retried.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
@@ -18,10 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int maxLinks = 40;  // as the kernel
 constexpr const char* mayBeLost = "but it may not outlive a power cut: ";
-
-std::string systemReason() {
-  return std::strerror(errno);
-}
 
 std::string kindName(fs::file_type type) {
   return type == fs::file_type::directory ? "a folder"

@@ -9,15 +9,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string systemReason() {
-  return std::strerror(errno);
-}
 
 // Closes on every way out of readFile.
 struct Descriptor {
