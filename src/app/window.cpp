@@ -168,7 +168,7 @@ class MainWindow {
     glfwHideWindow(handle_.get());
     keepPreferences();
     endProgramIn(0.4);
-    reportUnwritten(gui_->unwritten(0.2));
+    reportUnwritten(gui_->unwritten(0.15));
   }
 
   // Nothing is drawn, but what is not saved has to be kept.
