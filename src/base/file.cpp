@@ -7,9 +7,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <mutex>
 #include <random>
+#include <thread>
 #include <utility>
 
 #include "base/error.h"
@@ -35,7 +39,7 @@ std::string freshTemporaryName() {
   return name;
 }
 
-// Closes on every way out of readFile.
+// Closes on every way out.
 struct Descriptor {
   int value;
   ~Descriptor() {
@@ -47,16 +51,21 @@ std::string mebibytes(std::size_t bytes) {
   return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB";
 }
 
-}  // namespace
+// For messages; a link is what it leads to.
+std::string kindOf(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
 
-FileBytes readFile(const fs::path& path, std::size_t maxBytes, std::string_view limitHelp) {
-  const std::string name = path.string();
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.value < 0) throw Error("cannot open: " + systemReason(), name);
+// Up to the end. In pieces, so that what nobody waits for any more ends soon.
+FileBytes readAll(int file, const std::string& name, std::size_t maxBytes, std::string_view limitHelp,
+                  const CancelToken* token) {
+  constexpr std::size_t piece = std::size_t{4} << 20;
   struct stat info {};
-  if (::fstat(file.value, &info) != 0) throw Error("cannot read: " + systemReason(), name);
+  if (::fstat(file, &info) != 0) throw Error("cannot read: " + systemReason(), name);
   if (S_ISDIR(info.st_mode)) throw Error("expected a file, got a folder", name);
-
   const auto refuse = [&](const std::string& size) {
     std::string help = limitHelp.empty() ? "" : "; " + std::string(limitHelp);
     throw Error("expected at most " + mebibytes(maxBytes) + ", got " + size + help, name);
@@ -70,13 +79,15 @@ FileBytes readFile(const fs::path& path, std::size_t maxBytes, std::string_view 
   std::size_t capacity = (sizeKnown ? static_cast<std::size_t>(info.st_size) : 64 * 1024) + 2;
   FileBytes bytes{std::unique_ptr<char[]>(new char[capacity]), 0};
   while (true) {
+    if (token && token->cancelled()) throw Cancelled();
     if (bytes.size + 1 == capacity) {
       capacity *= 2;
       std::unique_ptr<char[]> larger(new char[capacity]);
       std::memcpy(larger.get(), bytes.data.get(), bytes.size);
       bytes.data = std::move(larger);
     }
-    const ssize_t got = ::read(file.value, bytes.data.get() + bytes.size, capacity - 1 - bytes.size);
+    const std::size_t room = std::min(capacity - 1 - bytes.size, piece);
+    const ssize_t got = ::read(file, bytes.data.get() + bytes.size, room);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw Error("cannot read: " + systemReason(), name);
     if (got == 0) break;
@@ -85,6 +96,61 @@ FileBytes readFile(const fs::path& path, std::size_t maxBytes, std::string_view 
   }
   bytes.data[bytes.size] = 0;
   return bytes;
+}
+
+FileBytes readRegular(const fs::path& path, std::size_t maxBytes, std::string_view limitHelp,
+                      const CancelToken* token) {
+  const std::string name = path.string();
+  // A pipe that nobody writes to would hang in open(); what is no regular file is refused below.
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+  if (file.value < 0) throw Error("cannot open: " + systemReason(), name);
+  struct stat info {};
+  if (::fstat(file.value, &info) != 0) throw Error("cannot read: " + systemReason(), name);
+  if (!S_ISREG(info.st_mode)) throw Error("expected a file, got " + kindOf(info.st_mode), name);
+  return readAll(file.value, name, maxBytes, limitHelp, token);
+}
+
+// Shared by who waits and the thread that reads, whichever lives longer.
+struct Reading {
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool done = false;
+  FileBytes bytes;
+  std::exception_ptr failure;
+};
+
+}  // namespace
+
+// A system call on a disk that does not answer cannot be cancelled, so the thread that is in it is left behind. It
+// touches nothing but what it shares with us, and the end of the program ends it.
+FileBytes readFile(const fs::path& path, std::size_t maxBytes, std::string_view limitHelp,
+                   const CancelToken* token) {
+  if (!token) return readRegular(path, maxBytes, limitHelp, nullptr);
+  const auto reading = std::make_shared<Reading>();
+  std::thread([reading, path, maxBytes, help = std::string(limitHelp), cancel = *token] {
+    FileBytes bytes;
+    std::exception_ptr failure;
+    try {
+      bytes = readRegular(path, maxBytes, help, &cancel);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard<std::mutex> lock(reading->mutex);
+    reading->bytes = std::move(bytes);
+    reading->failure = std::move(failure);
+    reading->done = true;
+    reading->ended.notify_one();
+  }).detach();
+  std::unique_lock<std::mutex> lock(reading->mutex);
+  while (!reading->ended.wait_for(lock, std::chrono::milliseconds(10), [&] { return reading->done; })) {
+    if (token->cancelled()) throw Cancelled();
+  }
+  if (reading->failure) std::rethrow_exception(std::exchange(reading->failure, nullptr));
+  return std::move(reading->bytes);
+}
+
+FileBytes readStandardInput(std::size_t maxBytes, std::string_view limitHelp) {
+  return readAll(STDIN_FILENO, standardInputName, maxBytes, limitHelp, nullptr);
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
@@ -99,7 +165,12 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (fs::is_directory(status)) throw Error("cannot write: expected a file, got a folder", path_.string());
   if (!target_.has_filename()) throw Error("cannot write: expected the name of a file", path_.string());
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (!fs::is_character_file(status)) {
+      throw Error(
+          std::string("cannot write: expected a file, got a ") + (fs::is_fifo(status) ? "pipe" : "device"),
+          path_.string());
+    }
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
     if (descriptor_ < 0) fail(systemReason());
     return;
   }

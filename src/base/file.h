@@ -1,5 +1,6 @@
-// Whole files in, whole files out. A file is replaced atomically: until commit() succeeds the old one is
-// untouched, so a full disk or a crash never costs what was saved before.
+// Whole files in, whole files out. Only regular files are read: a pipe or a device may never end. A file is replaced
+// atomically: until commit() succeeds the old one is untouched, so a full disk or a crash never costs what was saved
+// before.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "base/progress.h"
 
 namespace anamorph {
 
@@ -18,12 +21,21 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-/// Reads a regular file (or a pipe). Throws Error when it cannot, or when it is larger than `maxBytes`;
-/// `limitHelp` then tells how to raise the limit.
-FileBytes readFile(const std::filesystem::path& path, std::size_t maxBytes, std::string_view limitHelp = {});
+/// Reads a regular file. Throws Error when it cannot, when it is anything else, or when it is larger than `maxBytes`;
+/// `limitHelp` then tells how to raise the limit. With a token it throws Cancelled soon after that is cancelled,
+/// even while the disk does not answer: what hangs in the system then is left to itself.
+FileBytes readFile(const std::filesystem::path& path, std::size_t maxBytes, std::string_view limitHelp = {},
+                   const CancelToken* token = nullptr);
+
+/// Standard input up to its end, whatever it is connected to. Throws Error as readFile does.
+FileBytes readStandardInput(std::size_t maxBytes, std::string_view limitHelp = {});
+
+/// What messages call it.
+inline constexpr const char* standardInputName = "standard input";
 
 /// Writes a temporary file beside `path`, and on commit() flushes it to disk and renames it over `path`.
-/// A link is followed; a device or a pipe is written to directly. Without commit() nothing is left behind.
+/// A link is followed; a device such as /dev/null is written to directly, a pipe or a disk is refused. Without commit()
+/// nothing is left behind.
 class AtomicFile {
  public:
   /// Throws Error when the folder does not exist, cannot be written to, or `path` is a folder.

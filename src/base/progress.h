@@ -17,6 +17,10 @@ class CancelToken {
   std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
 };
 
+/// What was asked for is not wanted any more: thrown where a stage, or something below it, cannot return that as a
+/// value. Whoever has the token catches it; nobody is told.
+struct Cancelled {};
+
 struct Progress {
   /// Called with a fraction in 0..1, from one thread at a time; may be empty.
   std::function<void(double)> report;

@@ -57,14 +57,7 @@ void writeMesh(const std::filesystem::path& path, const Mesh& mesh, std::string 
   file.commit();
 }
 
-}  // namespace
-
-bool isMeshFile(const std::filesystem::path& path) {
-  return findFormat(path).has_value();
-}
-
-Mesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits) {
-  const Format format = formatOf(name);
+Mesh readAs(Format format, std::string_view bytes, const std::string& name, const MeshLimits& limits) {
   if (bytes.empty()) throw Error("expected a mesh, got an empty file", name);
   Mesh mesh = format == Format::obj   ? readObj(bytes, name, limits)
               : format == Format::stl ? readStl(bytes, name, limits)
@@ -76,9 +69,26 @@ Mesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits&
   return mesh;
 }
 
-Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits) {
+}  // namespace
+
+bool isMeshFile(const std::filesystem::path& path) {
+  return findFormat(path).has_value();
+}
+
+Mesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits) {
+  return readAs(formatOf(name), bytes, name, limits);
+}
+
+Mesh readMeshByContent(std::string_view bytes, const std::string& name, const MeshLimits& limits) {
+  return readAs(bytes.starts_with("ply") ? Format::ply
+                : looksLikeStl(bytes)    ? Format::stl
+                                         : Format::obj,
+                bytes, name, limits);
+}
+
+Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits, const CancelToken* token) {
   formatOf(path);  // before a large file is read for nothing
-  const FileBytes bytes = readFile(path, limits.maxBytes, "--max-mesh-mb raises the limit");
+  const FileBytes bytes = readFile(path, limits.maxBytes, MeshLimits::bytesHelp, token);
   return readMesh(bytes.view(), path.string(), limits);
 }
 

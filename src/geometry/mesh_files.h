@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/progress.h"
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
 
@@ -16,12 +17,17 @@ namespace anamorph {
 /// Reads positions and faces; polygons are triangulated (concave ones too), negative indices resolved,
 /// texture coordinates, normals and materials skipped. Vertices keep the file's order, unused ones included;
 /// those of an STL file, which has no indices, are welded. At least one triangle, all coordinates finite and
-/// of magnitude <= 1e9. Throws Error `file: where: expected, got`.
-Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits = {});
+/// of magnitude <= 1e9. Throws Error `file: where: expected, got`, and Cancelled as readFile does.
+Mesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits = {},
+              const CancelToken* token = nullptr);
 
 /// The same from a file's bytes; `name` is the file's name: its ending says the format, messages begin with
 /// it.
 Mesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits = {});
+
+/// The same for bytes without a file's name, from standard input: what they begin with says the format, and what is
+/// neither PLY nor STL is taken for OBJ.
+Mesh readMeshByContent(std::string_view bytes, const std::string& name, const MeshLimits& limits = {});
 
 /// Whether loadMesh and saveMesh know the ending: .obj, .stl, .ply, in small or capital letters.
 bool isMeshFile(const std::filesystem::path& path);

@@ -12,6 +12,9 @@ struct MeshLimits {
   std::size_t maxBytes = std::size_t{2} << 30;
   std::size_t maxVertices = 50'000'000;
 
+  /// How to raise maxBytes, for messages.
+  static constexpr const char* bytesHelp = "--max-mesh-mb raises the limit";
+
   /// A closed surface has twice as many triangles as vertices.
   std::size_t maxTriangles() const { return 2 * maxVertices; }
 

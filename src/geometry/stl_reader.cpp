@@ -137,6 +137,10 @@ bool isText(std::string_view bytes) {
 
 }  // namespace
 
+bool looksLikeStl(std::string_view bytes) {
+  return isText(bytes) || bytes.find('\0') != std::string_view::npos;
+}
+
 Mesh readStl(std::string_view bytes, const std::string& file, const MeshLimits& limits) {
   const Mesh triangles =
       isText(bytes) ? StlText(bytes, file, limits).read() : readBinary(bytes, file, limits);

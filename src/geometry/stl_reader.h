@@ -15,4 +15,7 @@ namespace anamorph {
 /// Error.
 Mesh readStl(std::string_view bytes, const std::string& file, const MeshLimits& limits = {});
 
+/// Whether bytes that are no PLY are rather STL than OBJ: they begin with the word solid, or are no text.
+bool looksLikeStl(std::string_view bytes);
+
 }  // namespace anamorph

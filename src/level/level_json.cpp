@@ -83,9 +83,9 @@ std::string formatLevel(const Level& level) {
   return formatJson(writer.finish());
 }
 
-LoadedLevel loadLevel(const std::filesystem::path& path) {
+LoadedLevel loadLevel(const std::filesystem::path& path, const CancelToken* token) {
   const FileBytes bytes =
-      readFile(path, maxLevelBytes, "a level names its model's file instead of holding it");
+      readFile(path, maxLevelBytes, "a level names its model's file instead of holding it", token);
   return parseLevel(bytes.view(), path.string());
 }
 
@@ -102,6 +102,11 @@ void saveLevel(const std::filesystem::path& path, const Level& level) {
 
 std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath) {
   return levelPath.parent_path() / shape.path;
+}
+
+std::optional<std::filesystem::path> meshFileOf(const Level& level, const std::filesystem::path& levelPath) {
+  const auto* file = std::get_if<FileShape>(&level.original.shape);
+  return file && !file->path.empty() ? std::optional(modelPath(*file, levelPath)) : std::nullopt;
 }
 
 }  // namespace anamorph

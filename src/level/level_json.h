@@ -5,10 +5,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "level/lesson.h"
 #include "level/level.h"
 
@@ -32,8 +34,8 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName);
 /// All fields in a fixed order, indented by 2; parseLevel gives the same level again.
 std::string formatLevel(const Level& level);
 
-/// parseLevel of a file of at most 16 MiB.
-LoadedLevel loadLevel(const std::filesystem::path& path);
+/// parseLevel of a file of at most 16 MiB; throws Cancelled as readFile does.
+LoadedLevel loadLevel(const std::filesystem::path& path, const CancelToken* token = nullptr);
 
 /// Replaces the file atomically. Throws Error when it cannot, or when the level has a value that loadLevel
 /// would refuse: what was saved can be opened.
@@ -41,5 +43,8 @@ void saveLevel(const std::filesystem::path& path, const Level& level);
 
 /// Where the mesh of an original lies: relative paths start at the level's folder.
 std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::path& levelPath);
+
+/// The mesh of an original that is in a file of its own; nothing for built-in shapes.
+std::optional<std::filesystem::path> meshFileOf(const Level& level, const std::filesystem::path& levelPath);
 
 }  // namespace anamorph

@@ -6,12 +6,8 @@
 #include "pipeline/original.h"
 
 namespace anamorph {
-namespace {
 
-// For what a stage was cancelled in: thrown through Memo so that nothing half-made is kept, caught below.
-struct Cancelled {};
-
-}  // namespace
+// Cancelled is thrown through Memo, so that nothing half-made is kept, and caught here.
 
 void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress& progress) {
   const Level& level = result.level;
@@ -104,8 +100,9 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
     if (progress.cancelled()) throw Cancelled();
   };
   try {
-    result.shape = shape_.get({level.original.shape, input.levelPath},
-                              [](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath); });
+    result.shape = shape_.get({level.original.shape, input.levelPath}, [&](const ShapeKey& key) {
+      return loadOriginal(key.shape, key.levelPath, {}, &progress.token);
+    });
     if (progress.cancelled()) return std::nullopt;
     result.original = original_.get(
         {result.shape, level.original.unitize, level.original.placement}, [&](const PlaceKey& key) {

@@ -14,6 +14,7 @@ namespace {
 struct ShapeMaker {
   const std::filesystem::path& levelPath;
   const MeshLimits& limits;
+  const CancelToken* token;
 
   Mesh operator()(const BoxShape& s) const { return makeBox(s.size, s.segments); }
   Mesh operator()(const SphereShape& s) const { return makeSphere(s.radius, s.segments); }
@@ -24,7 +25,7 @@ struct ShapeMaker {
   Mesh operator()(const PawnShape& s) const { return makePawn(s.height, s.segments); }
   Mesh operator()(const FileShape& s) const {
     try {
-      return loadMesh(modelPath(s, levelPath), limits);
+      return loadMesh(modelPath(s, levelPath), limits, token);
     } catch (const Error& error) {
       throw Error(error.what(), levelPath.string(), "/original/shape/path");
     }
@@ -34,8 +35,8 @@ struct ShapeMaker {
 }  // namespace
 
 std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                                         const MeshLimits& limits) {
-  return std::make_shared<const Mesh>(std::visit(ShapeMaker{levelPath, limits}, shape));
+                                         const MeshLimits& limits, const CancelToken* token) {
+  return std::make_shared<const Mesh>(std::visit(ShapeMaker{levelPath, limits, token}, shape));
 }
 
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement) {

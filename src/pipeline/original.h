@@ -11,9 +11,9 @@
 namespace anamorph {
 
 /// The level's own original, before it is placed: a built-in shape, or a mesh file beside the level. Throws
-/// Error.
+/// Error, and Cancelled as readFile does.
 std::shared_ptr<const Mesh> loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
-                                         const MeshLimits& limits = {});
+                                         const MeshLimits& limits = {}, const CancelToken* token = nullptr);
 
 /// In scene coordinates: unitized when asked, then scaled, rotated and moved.
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement);

@@ -1,5 +1,6 @@
 #include "pipeline/worker.h"
 
+#include <chrono>
 #include <exception>
 
 namespace anamorph {
@@ -13,7 +14,7 @@ Worker::~Worker() {
     waiting_ = nullptr;
     if (running_) running_->cancel();
   }
-  changed_.notify_one();
+  changed_.notify_all();
   thread_.join();
 }
 
@@ -24,7 +25,7 @@ void Worker::request(Job job) {
     failure_.reset();
     if (running_) running_->cancel();
   }
-  changed_.notify_one();
+  changed_.notify_all();
 }
 
 void Worker::cancel() {
@@ -37,6 +38,12 @@ void Worker::cancel() {
 bool Worker::busy() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return waiting_ || running_;
+}
+
+bool Worker::waitForEnd(double seconds) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                           [this] { return !waiting_ && !running_; });
 }
 
 double Worker::fraction() const {
@@ -67,6 +74,8 @@ void Worker::loop() {
     };
     try {
       job(Progress{report, token});
+    } catch (const Cancelled&) {
+      // Then nobody waits for it.
     } catch (const std::exception& error) {
       failure = error.what();
     }
@@ -76,6 +85,7 @@ void Worker::loop() {
     running_.reset();
     if (failure && !token.cancelled()) failure_ = std::move(failure);
     lock.unlock();
+    changed_.notify_all();
     if (wake_) wake_();
     lock.lock();
   }

@@ -200,6 +200,22 @@ TEST_F(MeshFiles, FilesLargerThanTheLimitAreNotRead) {
             path("large.obj") + ": expected at most 1 MiB, got 2 MiB; --max-mesh-mb raises the limit");
 }
 
+TEST_F(MeshFiles, BytesWithoutANameAreKnownByWhatTheyBeginWith) {
+  const std::string text =
+      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  EXPECT_EQ(readMeshByContent(text, "standard input").triangles.size(), 1u);
+  for (const char* name : {"m.obj", "m.stl", "m.ply"}) {
+    saveMesh(path(name), readMesh(text, "text.stl"));
+    const std::string bytes(readFile(path(name), 1 << 20).view());
+    EXPECT_EQ(readMeshByContent(bytes, "standard input").triangles.size(), 1u) << name;
+  }
+  EXPECT_EQ(errorOf([] { readMeshByContent("", "standard input"); }),
+            "standard input: expected a mesh, got an empty file");
+  EXPECT_EQ(errorOf([] { readMeshByContent("{}", "standard input"); }),
+            "standard input: expected at least one triangle, got none and 0 vertices");
+}
+
 TEST_F(MeshFiles, TextThatIsNoMesh) {
   const std::string page = "<!DOCTYPE html>\n<html><body>404 Not Found</body></html>\n";
   EXPECT_EQ(errorOf([&] { readMesh(page, "m.obj"); }),

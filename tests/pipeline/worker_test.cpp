@@ -35,6 +35,26 @@ TEST(Worker, DeliversAndWakes) {
   EXPECT_FALSE(worker.busy());
 }
 
+TEST(Worker, IsWaitedForAsLongAsOneLikes) {
+  std::atomic<bool> release{false};
+  Worker worker;
+  EXPECT_TRUE(worker.waitForEnd(0)) << "nothing runs";
+  worker.request([&](const Progress&) {
+    while (!release) std::this_thread::sleep_for(100us);
+  });
+  EXPECT_FALSE(worker.waitForEnd(0.05));
+  release = true;
+  EXPECT_TRUE(worker.waitForEnd(5));
+  EXPECT_FALSE(worker.busy());
+}
+
+TEST(Worker, NobodyIsToldOfACancelledJob) {
+  Worker worker;
+  worker.request([](const Progress&) { throw Cancelled(); });
+  EXPECT_TRUE(worker.waitForEnd(5));
+  EXPECT_EQ(worker.takeFailure(), std::nullopt);
+}
+
 TEST(Worker, LatestRequestWins) {
   std::atomic<bool> release{false};
   std::atomic<int> started{0}, last{0};
