@@ -6,7 +6,7 @@
 
 namespace anamorph {
 
-/// "a, b or c"
-std::string alternatives(const std::vector<std::string>& texts);
+/// "a, b or c"; `word`: the "or" of the language.
+std::string alternatives(const std::vector<std::string>& texts, const std::string& word = "or");
 
 }  // namespace anamorph

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/language.h"
 
 namespace anamorph {
@@ -40,9 +38,7 @@ std::optional<std::string> EditJob::update(Session& session) {
   const bool same = session.level() == started_->level && session.path() == started_->path;
   started_.reset();
   if (!result->level) return result->message;
-  if (!same)
-    return fmt::format(fmt::runtime(tr("{}: the level has been changed meanwhile, so nothing was done.")),
-                       name_);
+  if (!same) return name_ + ": " + tr("the level has been changed meanwhile, so nothing was done.");
   session.edit(std::move(*result->level));
   return result->message;
 }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/check.h"
 #include "base/folder.h"
+#include "base/language.h"
 #include "base/text.h"
 #include "exports/export_writers.h"
 
@@ -77,6 +80,11 @@ std::optional<ExportKind> findExportKind(const std::filesystem::path& path) {
     if (!format.askedBy && hasEnding(format, path)) return format.kind;
   }
   return std::nullopt;
+}
+
+std::string wrongEnding(const std::filesystem::path& file, const std::vector<const char*>& endings) {
+  return fmt::format(fmt::runtime(tr("{}: expected an output file that ends in {}")), file.string(),
+                     alternatives({endings.begin(), endings.end()}, tr("or")));
 }
 
 std::string exportEndings(ExportKind kind) {

@@ -52,6 +52,9 @@ bool hasEnding(const ExportFormat& format, const std::filesystem::path& path);
 /// The kind that a file's ending asks for; .obj is a sculpture. Nothing for an unknown ending.
 std::optional<ExportKind> findExportKind(const std::filesystem::path& path);
 
+/// What is said of a name with another ending: "x.3mf: expected an output file that ends in .obj, .stl or .ply".
+std::string wrongEnding(const std::filesystem::path& file, const std::vector<const char*>& endings);
+
 /// The endings of a kind, for messages: ".obj, .stl or .ply".
 std::string exportEndings(ExportKind kind);
 

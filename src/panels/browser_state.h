@@ -36,7 +36,9 @@ struct FileBrowser {
   std::string textBefore;
   std::filesystem::path replace;  ///< a file that is there: may it be replaced? Empty: nothing is asked
   std::string problem;            ///< what did not work, for a person
-  std::filesystem::path root;     ///< nothing above it is shown; empty: no limit
+  std::vector<std::filesystem::path>
+      kept;                    ///< files that the open level is read from: nothing is saved over them
+  std::filesystem::path root;  ///< nothing above it is shown; empty: no limit
   std::optional<std::pair<FilePurpose, std::filesystem::path>> chosen;
   std::vector<std::filesystem::path> recentFolders;  ///< newest first; kept between runs
 };

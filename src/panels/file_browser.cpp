@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "base/same_file.h"
+#include "exports/export_formats.h"
 #include "panels/browser_places.h"
 #include "panels/browser_steps.h"
 
@@ -45,10 +47,28 @@ void chooseToOpen(FileBrowser& b, const fs::path& path) {
   b.problem = fmt::format(fmt::runtime(tr("{}: there is no such file")), path.string());
 }
 
+// "x.3mf" asks for a kind of file; "my level v1.2" is a name.
+bool meansEnding(const fs::path& path) {
+  const std::string ending = lowerEnding(path);
+  return std::any_of(ending.begin(), ending.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
 void chooseToSave(FileBrowser& b, fs::path path) {
-  if (!hasEnding(b.purpose, path.filename().string())) path += b.ending;
+  if (!hasEnding(b.purpose, path.filename().string())) {
+    if (meansEnding(path)) {
+      b.problem = wrongEnding(path.filename(), b.purpose.endings);
+      return;
+    }
+    path += b.ending;
+  }
   if (!isFolder(path.parent_path())) {
     b.problem = fmt::format(fmt::runtime(tr("{}: there is no such folder")), path.parent_path().string());
+    return;
+  }
+  if (findSameFile(path, b.kept)) {
+    b.problem =
+        fmt::format(fmt::runtime(tr("{}: the open level is read from this file; choose another name")),
+                    path.filename().string());
     return;
   }
   std::error_code ignored;

@@ -68,7 +68,17 @@ void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   }
 }
 
+// A level is saved over its own file, but never over its mesh.
+std::vector<fs::path> filesToKeep(const Editor& editor, const FilePurpose& purpose) {
+  const fs::path& path = editor.session.path();
+  std::vector<fs::path> files;
+  if (!path.empty() && purpose != FilePurpose::saveLevel) files.push_back(path);
+  if (auto mesh = meshFileOf(editor.session.level(), path)) files.push_back(std::move(*mesh));
+  return files;
+}
+
 void serveBrowser(Editor& editor, UiState& ui) {
+  if (ui.browser.open) ui.browser.kept = filesToKeep(editor, ui.browser.purpose);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
@@ -137,11 +147,12 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
   const std::string reading = fmt::format(fmt::runtime(tr("Reading {}")), mesh.filename().string());
   editor.job.start(
       editor.session, reading,
-      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level, const Progress&) {
-        const Mesh read = loadMesh(mesh);
+      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level,
+                                                                     const Progress& progress) {
+        const Mesh read = loadMesh(mesh, {}, &progress.token);
         Box room = box;
         if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
-          const auto own = loadOriginal(level.original.shape, levelPath);
+          const auto own = loadOriginal(level.original.shape, levelPath, {}, &progress.token);
           room =
               boundingBox(placeOriginal(*own, level.original.unitize, level.original.placement)->positions);
         }

@@ -115,6 +115,27 @@ TEST_F(Browser, GivesTheFileOnceToWhoAsked) {
   EXPECT_EQ(ui.browser.recentFolders.front(), fs::path(at("")).parent_path());
 }
 
+// In place of the name that is proposed.
+TEST_F(Browser, AnotherKindOfFileIsRefusedAsOnTheCommandLine) {
+  const std::pair<FilePurpose, const char*> cases[] = {
+      {saveMesh, "x.3mf: expected an output file that ends in .obj, .stl or .ply"},
+      {FilePurpose::saveImage, "x.jpg: expected an output file that ends in .png"},
+      {FilePurpose::saveLevel, "x.txt: expected an output file that ends in .json"}};
+  for (const auto& [purpose, message] : cases) {
+    browse(purpose, at("proposed"));
+    const std::string text = message;
+    type(text.substr(0, text.find(':')));
+    key(keys::enter);
+    EXPECT_TRUE(ui.browser.open) << text;
+    EXPECT_EQ(ui.browser.problem, text);
+    EXPECT_EQ(takeChosenFile(ui.browser, purpose), std::nullopt);
+  }
+  browse(saveMesh, at("proposed"));
+  type("column v1.2");
+  key(keys::enter);
+  EXPECT_EQ(takeChosenFile(ui.browser, saveMesh), fs::path(at("column v1.2.obj"))) << "a name";
+}
+
 TEST_F(Browser, TypingFilters) {
   browse(FilePurpose::openLevel);
   type("LEVEL-1");

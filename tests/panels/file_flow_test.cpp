@@ -11,8 +11,10 @@
 
 #include "base/error.h"
 #include "cli/program.h"
+#include "exports/export_formats.h"
 #include "level/level_json.h"
 #include "panels/dialogs.h"
+#include "panels/file_browser.h"
 #include "panels_fixture.h"
 
 namespace anamorph::testing {
@@ -431,6 +433,38 @@ TEST_F(FileFlow, RecoveryIsAnsweredByKeys) {
   key(keys::escape);
   ASSERT_TRUE(ui.requests.recovery);
   EXPECT_EQ(ui.requests.recovery->kind, RecoveryAnswer::Kind::later);
+}
+
+TEST_F(FileFlow, NothingIsSavedOverWhatTheLevelIsReadFrom) {
+  fs::copy_file(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", folder_ / "b.obj");
+  fs::create_hard_link(folder_ / "b.obj", folder_ / "hard.obj");
+  fs::create_symlink("b.obj", folder_ / "mesh.json");
+  Level level = editor.session.level();
+  level.original.shape = FileShape{"b.obj"};
+  editor.session.edit(level);
+  editor.session.saveTo(folder_ / "mine.json");
+  const FilePurpose sculpture = FilePurpose::toSave(formatOf(ExportKind::sculpture));
+  const FilePurpose report = FilePurpose::toSave(formatOf(ExportKind::matchReport));
+  const std::tuple<FilePurpose, const char*, bool> cases[] = {
+      {sculpture, "b.obj", false},    {sculpture, "hard.obj", false},
+      {sculpture, "./b.obj", false},  {report, "mine.json", false},
+      {sculpture, "other.obj", true}, {FilePurpose::saveLevel, "mesh.json", false}};
+  for (const auto& [purpose, name, allowed] : cases) {
+    browseFiles(ui.browser, purpose, folder_ / "proposed");
+    step(3);
+    type(name);
+    key(keys::enter);
+    EXPECT_EQ(!ui.browser.open, allowed) << name;
+    EXPECT_EQ(ui.browser.problem.find("the open level is read from this file") != std::string::npos, !allowed)
+        << name;
+    EXPECT_TRUE(ui.browser.replace.empty()) << name << ": it is not even asked";
+    ui.browser.open = false;
+    step(2);
+  }
+  browseFiles(ui.browser, FilePurpose::saveLevel, folder_ / "mine.json");
+  step(3);
+  key(keys::enter);
+  EXPECT_EQ(ui.browser.replace, fs::path(folder_ / "mine.json")) << "a level goes over its own file";
 }
 
 }  // namespace
