@@ -18,6 +18,7 @@
 #include "cli/input.h"
 #include "cli/usage_error.h"
 #include "edit/lesson_run.h"
+#include "level/level_json.h"
 #include "level/level_library.h"
 #include "panels/actions.h"
 #include "panels/lesson_text.h"
@@ -83,11 +84,10 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
 }
 
 void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
-  if (!options.output.ends_with(".png")) {
-    throw UsageError(options.output + ": expected an output file that ends in .png");
-  }
-  checkOutput(options.output);
+  Output output = pictureOutput(options.output);
+  checkInput(options.level);
   const std::filesystem::path level = findLevel(options.level);
+  checkOutputs(filesRead(level.string(), loadLevel(level).level), {&output, 1}, common.noClobber);
   const HeadlessContext context;
   Preferences preferences;
   preferences.theme = findTheme(options.theme).value_or(Theme::dark);
@@ -112,8 +112,9 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   if (const auto& problem = gui.editor().updater.result().problem) sayMessage(common, *problem);
   Bitmap bitmap = headless.readBack();
   if (options.transparent) divideByAlpha(bitmap);
-  savePng(options.output, options.transparent ? bitmap : withoutAlpha(bitmap));
-  sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, bitmap.width, bitmap.height));
+  savePng(output.path(), options.transparent ? bitmap : withoutAlpha(bitmap));
+  output.deliver();
+  sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), bitmap.width, bitmap.height));
 }
 
 }  // namespace
@@ -126,7 +127,9 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("FILE", options->level,
                    "A level (a file, or the name of an installed one) or a thesis scene")
       ->required();
-  command->add_option("-o,--output", options->output, "The PNG file to write")->required();
+  command->add_option("-o,--output", options->output, "The PNG file to write; - for standard output")
+      ->required();
+  addNoClobber(*command, common);
   addSizeOption(*command, options->size);
   command->add_option("--ui-scale", options->uiScale, "Size of text and controls, 0.75 to 3 (default 1)")
       ->check(numberIn(limits::uiScale));

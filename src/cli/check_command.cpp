@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/commands.h"
+#include "cli/input.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/evaluator.h"
@@ -12,8 +14,7 @@
 namespace anamorph {
 namespace {
 
-std::string checkMesh(const std::string& file, const CommonOptions& common) {
-  const Mesh mesh = loadMesh(file, common.meshLimits());
+std::string checkMesh(const Mesh& mesh, const std::string& file) {
   const Vector size = boundingBox(mesh.positions).size();
   const WeldedMesh welded = weldPositions(mesh);
   if (welded.mesh.triangles.empty()) throw Error("expected triangles with an area, got none", file);
@@ -45,10 +46,7 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
                      original->positions.size(), matchGradeName(gradeOf(report)));
 }
 
-std::string checkFile(const std::string& file, const CommonOptions& common) {
-  if (isMeshFile(file)) return checkMesh(file, common);
-  const std::string path = findLevel(file).string();
-  const LoadedLevel loaded = loadLevel(path);
+std::string checkLoaded(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common) {
   sayWarnings(common, loaded.warnings);
   try {
     return loaded.isThesisScene ? checkScene(loaded.level) : checkLevel(path, loaded.level, common);
@@ -56,6 +54,28 @@ std::string checkFile(const std::string& file, const CommonOptions& common) {
     if (!error.file.empty()) throw;
     throw Error(error.message, path);
   }
+}
+
+// Levels are JSON objects, meshes never begin like one.
+bool looksLikeJson(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+std::string checkStandardInput(const CommonOptions& common) {
+  const MeshLimits limits = common.meshLimits();
+  const FileBytes bytes = readStandardInput(limits.maxBytes, MeshLimits::bytesHelp);
+  const std::string name = standardInputName;
+  if (looksLikeJson(bytes.view())) return checkLoaded(name, parseLevel(bytes.view(), name), common);
+  return checkMesh(readMeshByContent(bytes.view(), name, limits), name);
+}
+
+std::string checkFile(const std::string& file, const CommonOptions& common) {
+  if (isStandardInput(file)) return checkStandardInput(common);
+  checkInput(file);
+  if (isMeshFile(file)) return checkMesh(loadMesh(file, common.meshLimits()), file);
+  const std::string path = findLevel(file).string();
+  return checkLoaded(path, loadLevel(path), common);
 }
 
 void check(const std::vector<std::string>& files, const CommonOptions& common) {
@@ -78,7 +98,7 @@ void addCheckCommand(CLI::App& app, CommonOptions& common) {
   CLI::App* command =
       app.add_subcommand("check", "Tell what is wrong with levels, thesis scenes and meshes, and where");
   const auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("FILE", *files, "Levels, thesis scenes or meshes")->required();
+  command->add_option("FILE", *files, "Levels, thesis scenes or meshes; - for standard input")->required();
   addCommonOptions(*command, common);
   command->callback([files, &common] { check(*files, common); });
 }

@@ -18,6 +18,7 @@ struct CommonOptions {
   int threads = 0;  ///< 0: all
   bool quiet = false;
   bool json = false;
+  bool noClobber = false;  ///< outputs that exist are refused
   std::size_t maxMeshMebibytes = 2048;
   std::size_t maxVertices = 50'000'000;
 

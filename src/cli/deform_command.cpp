@@ -17,7 +17,7 @@ namespace {
 
 struct DeformOptions {
   InputOptions input;
-  std::string output;
+  std::string output, format;
   std::optional<int> imageSize;  // as in the level
   double millimetresPerUnit = 1;
 };
@@ -36,12 +36,12 @@ double rounded(double seconds) {
 }
 
 void deform(const DeformOptions& options, const CommonOptions& common) {
-  if (!isMeshFile(options.output)) {
-    throw UsageError(options.output + ": expected an output file that ends in " +
-                     exportEndings(ExportKind::sculpture));
-  }
-  checkOutput(options.output);
-  Input input = loadInput(options.input, common);
+  std::vector<Output> outputs = makeOutputs({options.output}, options.format);
+  Output& output = outputs.front();
+  if (!isMeshFile(output.path()))
+    throw UsageError(wrongEnding(output.name(), formatOf(ExportKind::sculpture).endings));
+  if (output.isStandardOutput() && common.json) throw UsageError(jsonInTheWay);
+  Input input = loadInput(options.input, common, outputs);
   if (options.imageSize) input.level.sculpture.imageSize = *options.imageSize;
   const double deformStart = secondsNow();
   const LevelResult finished = finishInput(input, common);
@@ -51,12 +51,13 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
   file.scale = options.millimetresPerUnit;
   file.comment =
       "sculpture for the " + std::string(shapeName(input.level.optic.shape())) + " mirror, made by Anamorph";
-  saveMesh(options.output, sculpture.mesh, file);
+  saveMesh(output.path(), sculpture.mesh, file);
+  output.deliver();
   const double end = secondsNow();
 
   const bool ownVertices = input.level.sculpture.tolerancePixels == 0;
   if (!common.json) {
-    sayMessage(common, fmt::format("{}: {} vertices, {} triangles", options.output,
+    sayMessage(common, fmt::format("{}: {} vertices, {} triangles", output.name(),
                                    sculpture.mesh.positions.size(), sculpture.mesh.triangles.size()));
     return;
   }
@@ -88,6 +89,8 @@ void addDeformCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("-o,--output", options->output,
                    "The file to write: " + exportEndings(ExportKind::sculpture))
       ->required();
+  addFormat(*command, options->format);
+  addNoClobber(*command, common);
   command
       ->add_option("--image-size", options->imageSize,
                    "Height of the image that the tolerance is meant for (default: the level's)")

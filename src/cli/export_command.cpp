@@ -22,6 +22,7 @@ namespace {
 struct ExportOptions {
   InputOptions input;
   std::vector<std::string> outputs;
+  std::string format;
   bool check = false;
   double millimetresPerUnit = 10;
   std::optional<double> basePlate;
@@ -95,19 +96,19 @@ std::string allEndings() {
   return alternatives(formats);
 }
 
-ExportRequest makeRequest(const ExportOptions& options, const std::string& path) {
+ExportRequest makeRequest(const ExportOptions& options, const Output& output) {
   static const std::map<std::string, Paper> papers{
       {"A4", Paper::a4}, {"A3", Paper::a3}, {"letter", Paper::letter}};
   static const std::map<std::string, PictureKind> pictures{{"reflection", PictureKind::reflection},
                                                            {"original", PictureKind::original},
                                                            {"difference", PictureKind::difference}};
   ExportRequest request;
-  const auto kind = findExportKind(path);
+  const auto kind = findExportKind(output.path());
   if (!kind) {
-    throw UsageError(path + ": expected an output file that ends in " + allEndings());
+    throw UsageError(output.name() + ": expected an output file that ends in " + allEndings());
   }
   request.kind = *kind;
-  request.path = path;
+  request.path = output.path();
   request.millimetresPerUnit = options.millimetresPerUnit;
   if (options.basePlate) request.basePlate = BasePlateSettings{*options.basePlate, options.plateMargin};
   request.paper = papers.at(options.page);
@@ -116,7 +117,7 @@ ExportRequest makeRequest(const ExportOptions& options, const std::string& path)
   request.size = options.size;
   if (!options.rays.empty()) {
     request.vertexRays = parseRays(options.rays);
-    if (hasEnding(formatOf(ExportKind::rays), path)) request.kind = ExportKind::rays;
+    if (hasEnding(formatOf(ExportKind::rays), output.path())) request.kind = ExportKind::rays;
   }
   return request;
 }
@@ -126,9 +127,13 @@ bool anyHas(const std::vector<ExportRequest>& requests, ExportOption option) {
                      [&](const ExportRequest& request) { return formatOf(request.kind).has(option); });
 }
 
-std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
+bool takesStandardOutput(const std::vector<Output>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) { return o.isStandardOutput(); });
+}
+
+std::vector<ExportRequest> makeRequests(const ExportOptions& options, const std::vector<Output>& outputs) {
   std::vector<ExportRequest> requests;
-  for (const std::string& path : options.outputs) requests.push_back(makeRequest(options, path));
+  for (const Output& output : outputs) requests.push_back(makeRequest(options, output));
   if (requests.empty() && !options.check) {
     throw UsageError("expected -o FILE, or --check to look at the sculpture only");
   }
@@ -138,44 +143,64 @@ std::vector<ExportRequest> makeRequests(const ExportOptions& options) {
   return requests;
 }
 
-// Writes the files; what was written, and what is to be known of it, as JSON.
-JsonValue writeFiles(const LevelResult& finished, const std::vector<ExportRequest>& requests,
-                     const CommonOptions& common) {
-  JsonValue files{JsonValue::Kind::array, {}, 0, {}, {}};
-  for (const ExportRequest& request : requests) {
-    const ExportSummary summary = [&] {
-      const ProgressBar bar(common, "exporting");
-      return *exportLevel(finished, request, common.threads, bar.progress());
-    }();
-    const std::string path = request.path.string();
-    if (!common.json) sayMessage(common, path + ": " + summary.description);
-    sayWarnings(common, summary.warnings);
-    files.items.push_back(JsonObject()
-                              .add("path", path)
-                              .add("description", summary.description)
-                              .add("warnings", textList(summary.warnings))
-                              .value());
-  }
-  return files;
+// Writes one file; what was written, and what is to be known of it, as JSON. Throws Error.
+JsonValue exportOne(const LevelResult& finished, const ExportRequest& request, Output& output,
+                    const CommonOptions& common) {
+  const ExportSummary summary = [&] {
+    const ProgressBar bar(common, "exporting");
+    return *exportLevel(finished, request, common.threads, bar.progress());
+  }();
+  output.deliver();
+  if (!common.json) sayMessage(common, output.name() + ": " + summary.description);
+  sayWarnings(common, summary.warnings);
+  return JsonObject()
+      .add("path", output.name())
+      .add("description", summary.description)
+      .add("warnings", textList(summary.warnings))
+      .value();
 }
 
-void printCheck(const PrintCheck& check, std::size_t notMapped) {
+// Writes the files; one that fails is told of, and the others are written all the same. Returns how many failed.
+std::size_t writeFiles(const LevelResult& finished, const std::vector<ExportRequest>& requests,
+                       std::vector<Output>& outputs, const CommonOptions& common, JsonValue& files) {
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    try {
+      files.items.push_back(exportOne(finished, requests[i], outputs[i], common));
+    } catch (const Error& error) {
+      const Error named(error.message, outputs[i].name(), error.where);
+      if (outputs.size() == 1) throw named;
+      fmt::print(stderr, "{}\n", named.what());
+      files.items.push_back(
+          JsonObject().add("path", outputs[i].name()).add("error", std::string(named.what())).value());
+      ++failed;
+    }
+  }
+  return failed;
+}
+
+std::string checkText(const PrintCheck& check, std::size_t notMapped) {
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
   const std::vector<std::string> hints = findPrintHints(check);
-  fmt::print("{}{:<20}{}\n", formatPrintCheck(check), "printable",
-             !problems.empty() ? "not as it is"
-             : hints.empty()   ? "yes"
-                               : "yes, with care");
-  for (const std::string& problem : problems) fmt::print("- {}\n", problem);
-  for (const std::string& hint : hints) fmt::print("- {}\n", hint);
+  std::string text = fmt::format("{}{:<20}{}\n", formatPrintCheck(check), "printable",
+                                 !problems.empty() ? "not as it is"
+                                 : hints.empty()   ? "yes"
+                                                   : "yes, with care");
+  for (const std::string& problem : problems) text += "- " + problem + "\n";
+  for (const std::string& hint : hints) text += "- " + hint + "\n";
+  return text;
 }
 
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {
-  const std::vector<ExportRequest> requests = makeRequests(options);
-  for (const ExportRequest& request : requests) checkOutput(request.path.string());
-  const LevelResult finished = finishInput(loadInput(options.input, common), common);
+  std::vector<Output> outputs = makeOutputs(options.outputs, options.format);
+  const std::vector<ExportRequest> requests = makeRequests(options, outputs);
+  const bool piped = takesStandardOutput(outputs);
+  if (piped && common.json) throw UsageError(jsonInTheWay);
+  const LevelResult finished = finishInput(loadInput(options.input, common, outputs), common);
+  JsonValue files{JsonValue::Kind::array, {}, 0, {}, {}};
+  const std::size_t failed = writeFiles(finished, requests, outputs, common, files);
   JsonObject json;
-  json.add("files", writeFiles(finished, requests, common));
+  json.add("files", std::move(files));
   if (options.check || anyHas(requests, ExportOption::printCheck)) {
     const PrintCheck check = [&] {
       const ProgressBar bar(common, "checking");
@@ -183,9 +208,12 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
     }();
     const std::size_t notMapped = countNotMapped(finished);
     json.add("printCheck", printCheckJson(check, notMapped));
-    if (!common.json) printCheck(check, notMapped);
+    if (!common.json) fmt::print(piped ? stderr : stdout, "{}", checkText(check, notMapped));
   }
   if (common.json) printJson(json.value());
+  if (failed == 0) return;
+  flushResults();
+  throw Error(fmt::format("{} of {} files could not be written", failed, outputs.size()));
 }
 
 // "sculpture, viewing sheet, ..."
@@ -211,6 +239,8 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<ExportOptions>();
   addInputOptions(*command, options->input);
   command->add_option("-o,--output", options->outputs, outputHelp())->allow_extra_args(false);
+  addFormat(*command, options->format);
+  addNoClobber(*command, common);
   command->add_flag("--check", options->check, "Print whether the sculpture can be printed, also without -o");
   command
       ->add_option("--mm-per-unit", options->millimetresPerUnit,

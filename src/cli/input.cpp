@@ -23,9 +23,15 @@ std::string checkTolerance(std::string& text) {
   return problem.empty() ? problem : "expected off or " + problem.substr(std::string("expected ").size());
 }
 
+Mesh loadModel(const std::string& name, const MeshLimits& limits) {
+  if (!isStandardInput(name)) return loadMesh(name, limits);
+  const FileBytes bytes = readStandardInput(limits.maxBytes, MeshLimits::bytesHelp);
+  return readMeshByContent(bytes.view(), standardInputName, limits);
+}
+
 std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const CommonOptions& common,
                                             const std::string& levelPath, bool isScene, Level& level) {
-  Mesh model = loadMesh(options.model, common.meshLimits());
+  Mesh model = loadModel(options.model, common.meshLimits());
   if (isScene || options.unitize) return placeOriginal(model, options.unitize, level.original.placement);
   const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits());
   const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
@@ -44,9 +50,11 @@ void applyOptions(const InputOptions& options, Level& level) {
 
 void addInputOptions(CLI::App& command, InputOptions& options) {
   command
-      .add_option("FILE", options.file, "A level (a file, or the name of an installed one) or a thesis scene")
+      .add_option("FILE", options.file,
+                  "A level (a file, the name of an installed one, or - for standard input) or a thesis scene")
       ->required();
-  command.add_option("MODEL", options.model, "An OBJ, STL or PLY mesh that takes the place of the original");
+  command.add_option("MODEL", options.model,
+                     "An OBJ, STL or PLY mesh, or -, that takes the place of the original");
   command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
       ->check(numberIn(limits::depthScale.level));
   command
@@ -60,7 +68,27 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
   command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");
 }
 
-Input loadInput(const InputOptions& options, const CommonOptions& common) {
+bool isStandardInput(const std::string& name) {
+  return name == "-";
+}
+
+void checkInput(const std::string& name) {
+  std::error_code ignored;
+  if (!std::filesystem::is_fifo(name, ignored)) return;
+  throw Error("expected a file, got a pipe; name it -, and let standard input come from it", name);
+}
+
+std::vector<std::filesystem::path> filesRead(const std::string& file, const Level& level,
+                                             const std::string& model) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& name : {file, model}) {
+    if (!name.empty()) files.push_back(isStandardInput(name) ? "/dev/stdin" : name);
+  }
+  if (auto mesh = meshFileOf(level, file)) files.push_back(std::move(*mesh));
+  return files;
+}
+
+Input loadInput(const InputOptions& options, const CommonOptions& common, std::span<const Output> outputs) {
   const double start = secondsNow();
   if (isMeshFile(options.file)) {
     throw UsageError(options.file +
@@ -68,8 +96,15 @@ Input loadInput(const InputOptions& options, const CommonOptions& common) {
                      "anamorph match 2-cylinder " +
                      options.file);
   }
-  const std::string path = findLevel(options.file).string();
-  LoadedLevel loaded = loadLevel(path);
+  const bool piped = isStandardInput(options.file);
+  if (piped && isStandardInput(options.model))
+    throw UsageError("-: expected one file from standard input, got two");
+  for (const std::string& name : {options.file, options.model}) checkInput(name);
+  const std::string path = piped ? standardInputName : findLevel(options.file).string();
+  LoadedLevel loaded =
+      piped ? parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName) : loadLevel(path);
+  checkOutputs(filesRead(piped ? options.file : path, loaded.level, options.model), outputs,
+               common.noClobber);
   sayWarnings(common, loaded.warnings);
   Input input{path, std::move(loaded.level), nullptr, 0};
   if (loaded.isThesisScene && options.model.empty()) {
@@ -113,10 +148,6 @@ Image drawInput(const LevelResult& finished, PictureKind kind, const ImageReques
                 const Match* match, const CommonOptions& common) {
   const ProgressBar bar(common, "rendering");
   return *makePicture(finished, kind, request, match, bar.progress());
-}
-
-void checkOutput(const std::string& path) {
-  AtomicFile(std::filesystem::path(path));
 }
 
 }  // namespace anamorph

@@ -1,12 +1,16 @@
 // FILE and MODEL of the commands: a level or a scene of the thesis, and a mesh that takes the place of its
-// original.
+// original. Either may be -, standard input.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "cli/common_options.h"
+#include "cli/output.h"
 #include "level/level.h"
 #include "pipeline/picture.h"
 
@@ -32,9 +36,20 @@ struct Input {
 };
 
 /// Reads both files and applies the options. A MODEL for a level is fitted into the box of the level's own
-/// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. Throws
-/// Error, also when no sculpture can be made of it, and UsageError when a scene comes without a MODEL.
-Input loadInput(const InputOptions& options, const CommonOptions& common);
+/// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. `outputs` are
+/// checked as soon as it is known which files are read. Throws Error, also when no sculpture can be made of it, and
+/// UsageError when a scene comes without a MODEL.
+Input loadInput(const InputOptions& options, const CommonOptions& common,
+                std::span<const Output> outputs = {});
+
+/// What is named by - is standard input.
+bool isStandardInput(const std::string& name);
+/// Throws Error for a pipe, such as <(...) makes: those are read as standard input.
+void checkInput(const std::string& name);
+
+/// The files that are read for a level: its own, its mesh, and the MODEL where there is one.
+std::vector<std::filesystem::path> filesRead(const std::string& file, const Level& level,
+                                             const std::string& model = {});
 
 /// finishLevel, with an Error when nothing of the original comes into the sculpture, and with what is worth a
 /// warning.
@@ -44,8 +59,5 @@ LevelResult finishInput(const Input& input, const CommonOptions& common);
 Match matchInput(const LevelResult& finished, int width, int height, const CommonOptions& common);
 Image drawInput(const LevelResult& finished, PictureKind kind, const ImageRequest& request,
                 const Match* match, const CommonOptions& common);
-
-/// Throws Error when this file could not be written, before hours are spent on what is to be in it.
-void checkOutput(const std::string& path);
 
 }  // namespace anamorph

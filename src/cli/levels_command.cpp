@@ -20,18 +20,38 @@ struct LevelsOptions {
   int size = 512;
 };
 
+// The picture and the sculpture of a level.
+std::vector<Output> outputsOf(const LevelEntry& entry, const LevelsOptions& options) {
+  const std::string base = (std::filesystem::path(options.folder) / entry.name).string();
+  std::vector<Output> outputs;
+  outputs.emplace_back(base + ".png");
+  outputs.emplace_back(base + ".obj");
+  return outputs;
+}
+
+// Before the first is computed.
+void checkAllOutputs(const std::vector<LevelEntry>& entries, const LevelsOptions& options, bool noClobber) {
+  std::vector<std::filesystem::path> inputs;
+  std::vector<Output> outputs;
+  for (const LevelEntry& entry : entries) {
+    inputs.push_back(entry.path);
+    for (Output& output : outputsOf(entry, options)) outputs.push_back(std::move(output));
+  }
+  checkOutputs(inputs, outputs, noClobber);
+}
+
 // Renders one level into the folder and prints its line of the table.
 void showLevel(const LevelEntry& entry, const LevelsOptions& options, const CommonOptions& common) {
   InputOptions inputOptions;
   inputOptions.file = entry.path.string();
-  const Input input = loadInput(inputOptions, common);
+  const std::vector<Output> outputs = outputsOf(entry, options);
+  const Input input = loadInput(inputOptions, common, outputs);
   const LevelResult finished = finishInput(input, common);
   const Mesh& sculpture = finished.sculpture.sculpture->mesh;
   const MatchReport report = matchInput(finished, options.size, options.size, common).report;
   const ImageRequest request = makeImageRequest(input.level, options.size, options.size, common.threads);
-  const std::filesystem::path base = std::filesystem::path(options.folder) / entry.name;
-  savePng(base.string() + ".png", drawInput(finished, PictureKind::reflection, request, nullptr, common));
-  saveMesh(base.string() + ".obj", sculpture);
+  savePng(outputs[0].path(), drawInput(finished, PictureKind::reflection, request, nullptr, common));
+  saveMesh(outputs[1].path(), sculpture);
   fmt::print("{:<14} {:>9} {:>9.5f} {:>9.3f} {:>9.5f} {:>7.4f} {:>7.4f}  {}\n", entry.name,
              sculpture.triangles.size(), report.silhouetteIou, report.p99Px, report.triangleAgreement,
              report.hiddenShare, report.missedShare, matchGradeName(gradeOf(report)));
@@ -47,6 +67,7 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
     return;
   }
   makeFolder(options.folder);
+  checkAllOutputs(entries, options, common.noClobber);
   fmt::print("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}\n", "level", "triangles", "IoU", "p99 px",
              "agreement", "hidden", "missed", "match");
   std::size_t bad = 0;
@@ -70,6 +91,7 @@ void addLevelsCommand(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<LevelsOptions>();
   CLI::Option* folder = command->add_option("-o,--output", options->folder,
                                             "Folder for a picture and a sculpture of every level");
+  addNoClobber(*command, common);
   command->add_option("--size", options->size, "Width and height of the pictures (default 512)")
       ->needs(folder)
       ->check(numberIn(limits::renderedSize.level));

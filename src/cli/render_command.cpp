@@ -27,9 +27,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   static const std::map<std::string, PictureKind> kinds{{"reflection", PictureKind::reflection},
                                                         {"original", PictureKind::original},
                                                         {"difference", PictureKind::difference}};
-  if (!options.output.ends_with(".png"))
-    throw UsageError(options.output + ": expected an output file that ends in .png");
-  checkOutput(options.output);
+  Output output = pictureOutput(options.output);
   const auto [width, height] = options.size;
   const double megapixels = 1e-6 * width * height;
   if (megapixels > options.maxMegapixels) {
@@ -37,7 +35,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
         fmt::format("--size: expected at most {:g} megapixels, got {:.1f}; --max-megapixels raises the limit",
                     options.maxMegapixels, megapixels));
   }
-  Input input = loadInput(options.input, common);
+  Input input = loadInput(options.input, common, {&output, 1});
   input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
   if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
   const PictureKind kind = kinds.at(options.view);
@@ -52,8 +50,9 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   if (kind == PictureKind::difference) match = matchInput(finished, width, height, common);
   const Image image =
       drawInput(finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, common);
-  savePng(options.output, image);
-  sayMessage(common, fmt::format("{}: {} x {} pixels", options.output, width, height));
+  savePng(output.path(), image);
+  output.deliver();
+  sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), width, height));
 }
 
 }  // namespace
@@ -62,7 +61,9 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
   CLI::App* command = app.add_subcommand("render", "Ray-trace what the RT camera sees, as PNG");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->input);
-  command->add_option("-o,--output", options->output, "The PNG file to write")->required();
+  command->add_option("-o,--output", options->output, "The PNG file to write; - for standard output")
+      ->required();
+  addNoClobber(*command, common);
   addSizeOption(*command, options->size);
   command->add_option("--view", options->view, "reflection, original or difference")
       ->check(CLI::IsMember({"reflection", "original", "difference"}));
