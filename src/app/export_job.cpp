@@ -12,7 +12,10 @@ namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
   const LevelResult& result = editor.updater.result();
-  if (std::exchange(ui.requests.startExport, false)) waiting_ = Task::write;
+  if (std::exchange(ui.requests.startExport, false)) {
+    waiting_ = Task::write;
+    writing_ = dialog.request.path;
+  }
   if (std::exchange(ui.requests.checkPrint, false)) waiting_ = Task::check;
   if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
     cancelled_ = true;
@@ -42,7 +45,15 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     cancelled_ = false;
   }
   dialog.running = waiting_ || worker_.busy();
+  if (!dialog.running || cancelled_) writing_.reset();
   dialog.fraction = waiting_ ? 0 : worker_.fraction();
+}
+
+std::optional<std::filesystem::path> ExportJob::unwritten(double seconds) {
+  if (!writing_) return std::nullopt;
+  const bool ended = !waiting_ && worker_.waitForEnd(seconds);
+  const auto outcome = outcomes_->take();
+  return ended && outcome && outcome->written ? std::nullopt : writing_;
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {

@@ -2,6 +2,7 @@
 // waits until the sculpture is refined and matched, and a drag that goes on meanwhile changes nothing in it.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,9 @@ class ExportJob {
   /// them. A file that was written counts for the lesson.
   void update(Editor& editor, UiState& ui);
 
+  /// Waits so long for the file that was asked for; it, when it is not written then.
+  std::optional<std::filesystem::path> unwritten(double seconds);
+
  private:
   struct Outcome {
     std::string message;
@@ -34,7 +38,8 @@ class ExportJob {
   void start(Task task, const LevelResult& result, const ExportDialog& dialog);
 
   std::optional<Task> waiting_;
-  bool cancelled_ = false;  // and what became of it is not known yet
+  std::optional<std::filesystem::path> writing_;  // from the wish until its outcome is known
+  bool cancelled_ = false;                        // and what became of it is not known yet
   std::shared_ptr<Mailbox<Outcome>> outcomes_ = std::make_shared<Mailbox<Outcome>>();
   Worker worker_;  // last: its jobs use the mailbox
 };

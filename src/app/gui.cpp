@@ -78,22 +78,42 @@ Gui::~Gui() {
   ImGui::DestroyContext(context_);
 }
 
-void Gui::open(const std::filesystem::path& path) {
+void Gui::open(LevelFile file) {
   endViewDrag(*editor_, ui_.mouse, false);  // it would put the old level into the new one's place
   letGoOfWidgets();
-  try {
-    openLevel(*editor_, path);
-    rememberLevel(ui_, path);
-  } catch (const Error& error) {
-    if (editor_->session.generation() == 0) throw;
-    ui_.notice = Notice{"The level could not be opened", error.what()};
-  }
+  const std::filesystem::path path = file.path;
+  openLevel(*editor_, std::move(file));
+  rememberLevel(ui_, path);
 }
 
 void Gui::serveRequests() {
   settleRequests(*editor_, ui_);
-  if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) open(*path);
-  if (std::exchange(ui_.requests.startNew, false)) openNewLevel(*editor_);
+  double patience = 0;
+  if (const auto path = std::exchange(ui_.requests.open, std::nullopt)) {
+    editor_->opening.start(*path);
+    openingFrom_ = editor_->session.level();
+    patience = 0.05;  // most files are here in less, and then nothing flickers
+  }
+  if (std::exchange(ui_.requests.startNew, false)) {
+    editor_->opening.cancel();
+    openNewLevel(*editor_);
+  }
+  openWhenRead(patience);
+}
+
+void Gui::openWhenRead(double patienceSeconds) {
+  try {
+    auto file = editor_->opening.take(patienceSeconds);
+    if (!file) return;
+    // Nobody has been asked about changes that came after the question.
+    if (!(openingFrom_ == editor_->session.level())) {
+      throw Error(tr("the level has been changed meanwhile, so nothing was done."),
+                  file->path.filename().string());
+    }
+    open(std::move(*file));
+  } catch (const Error& error) {
+    ui_.notice = Notice{"The level could not be opened", error.what()};
+  }
 }
 
 // The pictures that the README shows, where there is one of a level's name.
@@ -220,7 +240,15 @@ void Gui::drawLists() const {
 
 bool Gui::unfinished() const {
   return owesFrame_ || isMoving(*editor_) || !viewComplete() || editor_->updater.busy() ||
-         editor_->job.busy() || ui_.render.running || ui_.exporting.running;
+         editor_->job.busy() || editor_->opening.busy() || ui_.render.running || ui_.exporting.running;
+}
+
+std::vector<std::filesystem::path> Gui::unwritten(double seconds) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file : {exportJob_->unwritten(seconds), renderJob_->unwritten(seconds)}) {
+    if (file) files.push_back(*file);
+  }
+  return files;
 }
 
 void Gui::key(int key, int modifiers, bool repeated) {

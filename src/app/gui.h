@@ -43,9 +43,10 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Opens a level, whatever becomes of the old one; an Error is shown as a notice, and goes to the caller
-  /// when nothing is open yet.
-  void open(const std::filesystem::path& path);
+  /// Opens a level that was read, whatever becomes of the old one.
+  void open(LevelFile file);
+  /// Reads it first. Throws Error.
+  void open(const std::filesystem::path& path) { open(readLevelFile(path)); }
 
   /// One frame, `seconds` after the last. The caller has set Dear ImGui's display size and mouse, and has
   /// bound a framebuffer of that size. Without `forced` quality it is chosen by how fast frames are.
@@ -65,6 +66,8 @@ class Gui {
   const FrameTimes& times() const { return times_; }
   /// Whether the 3D view is as fine as it gets.
   bool viewComplete() const { return fine_ && viewport_->complete(); }
+  /// At the end: waits so long for each file that is being written; those that are not written then.
+  std::vector<std::filesystem::path> unwritten(double seconds);
   /// For pictures of the window: everything is so many times as large.
   void setShotFactor(double factor) { shotFactor_ = factor; }
   void setTransparent(bool transparent) { transparent_ = transparent; }
@@ -77,6 +80,7 @@ class Gui {
   void refreshTextures();
   void loadThumbnails();
   void serveRequests();
+  void openWhenRead(double patienceSeconds);
   void advanceAll(double seconds);
   void drawView(double seconds, const ViewQuality* forced);
   void drawLists() const;
@@ -95,6 +99,7 @@ class Gui {
 
   double screenScale_ = 1, shotFactor_ = 1;
   std::optional<std::string> language_;  // that is in force
+  Level openingFrom_;                    // the level that was there when another was asked for
   bool transparent_ = false;
   bool software_;
   bool owesFrame_ = false;  // the panels may have changed something

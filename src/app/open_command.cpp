@@ -8,8 +8,8 @@
 #include "app/languages.h"
 #include "app/preferences.h"
 #include "app/window.h"
+#include "cli/input.h"
 #include "geometry/mesh_files.h"
-#include "level/level_json.h"
 #include "level/level_library.h"
 
 namespace anamorph {
@@ -54,9 +54,9 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       options->model = std::exchange(options->level, "1-plane");
     }
     window.model = options->model;
+    for (const std::string& name : {options->level, options->model}) checkInput(name);
     if (!window.model.empty()) loadMesh(window.model);
-    window.level = findLevel(options->level);
-    loadLevel(window.level);  // an Error comes before a window does
+    window.level = readLevelFile(findLevel(options->level));  // an Error comes before a window does
     if (!options->language.empty()) chooseLanguage(options->language);
     window.language = options->language;
     window.theme = findTheme(options->theme);

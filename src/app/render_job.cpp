@@ -37,8 +37,15 @@ bool RenderJob::update(const LevelResult& result, UiState& ui) {
   const bool running = worker_.busy();
   changed |= running != dialog.running;
   dialog.running = running;
+  if (!running) saving_.reset();
   dialog.fraction = worker_.fraction();
   return changed;
+}
+
+std::optional<std::filesystem::path> RenderJob::unwritten(double seconds) {
+  if (!saving_) return std::nullopt;
+  const bool ended = worker_.waitForEnd(seconds);
+  return ended && messages_->take() ? std::nullopt : saving_;
 }
 
 // Refined for the picture's own size first, as `anamorph render` does.
@@ -58,6 +65,7 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
 }
 
 void RenderJob::save(const std::string& file) {
+  saving_ = file;
   worker_.request([file, image = image_, messages = messages_](const Progress&) {
     savePng(file, *image);
     messages->put(fmt::format(fmt::runtime(tr("{}: {} x {} pixels")), file, image->width, image->height));

@@ -2,8 +2,10 @@
 // drag does not cancel it.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "edit/live_updater.h"
@@ -20,6 +22,9 @@ class RenderJob {
   /// dialog shows has changed.
   bool update(const LevelResult& result, UiState& ui);
 
+  /// Waits so long for the picture that is being saved; its file, when it is not written then.
+  std::optional<std::filesystem::path> unwritten(double seconds);
+
   /// The last finished picture; null before the first.
   const std::shared_ptr<const Image>& image() const { return image_; }
 
@@ -28,6 +33,7 @@ class RenderJob {
   void save(const std::string& file);
 
   std::shared_ptr<const Image> image_;
+  std::optional<std::filesystem::path> saving_;  // until its outcome is known
   std::shared_ptr<Mailbox<std::shared_ptr<const Image>>> results_ =
       std::make_shared<Mailbox<std::shared_ptr<const Image>>>();
   std::shared_ptr<Mailbox<std::string>> messages_ = std::make_shared<Mailbox<std::string>>();

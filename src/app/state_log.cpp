@@ -92,6 +92,7 @@ std::string stateLine(Gui& gui, std::size_t frame) {
                          .add("message", editor.message)
                          .add("title", windowTitle(editor.session))
                          .add("job", editor.job.busy())
+                         .add("opening", editor.opening.busy())
                          .add("dialog", std::string(openDialog(ui)))
                          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
                          .add("typed", ui.browser.text)

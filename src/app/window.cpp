@@ -20,6 +20,7 @@
 #include "app/key_taps.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
+#include "app/quit.h"
 #include "app/shot.h"
 #include "app/state_folder.h"
 #include "app/state_log.h"
@@ -138,7 +139,7 @@ class MainWindow {
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
-    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_);
+    files_ = std::make_unique<WindowFiles>(stateFolder(), *gui_, glfwPostEmptyEvent);
     std::string broken;
     savedProgress_ = loadProgress(progressPath(), broken);
     gui_->editor().progress = savedProgress_;
@@ -169,12 +170,18 @@ class MainWindow {
       }
       drawFrame();
     }
-    keepPreferences();
+    quit();
   }
 
-  const Preferences& preferences() { return gui_->ui().preferences; }
-
  private:
+  // All that was to be kept is, or is told of; whatever else still runs must not keep anybody waiting.
+  void quit() {
+    glfwHideWindow(handle_.get());
+    keepPreferences();
+    endProgramIn(0.4);
+    reportUnwritten(gui_->unwritten(0.15));
+  }
+
   // Nothing is drawn, but what is not saved has to be kept.
   void waitUnseen() {
     const double now = glfwGetTime();

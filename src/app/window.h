@@ -6,12 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "edit/session.h"
 #include "panels/look.h"
 
 namespace anamorph {
 
 struct WindowOptions {
-  std::filesystem::path level;
+  LevelFile level;
   std::filesystem::path model;  ///< a mesh that takes the original's place; empty: none
   std::optional<Theme> theme;
   std::string language;  ///< empty: as in the preferences

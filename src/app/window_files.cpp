@@ -10,8 +10,12 @@
 
 namespace anamorph {
 
-WindowFiles::WindowFiles(std::filesystem::path folder, Gui& gui)
-    : folder_(std::move(folder)), gui_(gui), autosave_(folder_), rescued_(findRescued(folder_)) {
+WindowFiles::WindowFiles(std::filesystem::path folder, Gui& gui, std::function<void()> wake)
+    : folder_(std::move(folder)),
+      gui_(gui),
+      autosave_(folder_),
+      rescued_(findRescued(folder_)),
+      reading_(std::move(wake)) {
   UiState& ui = gui_.ui();
   for (const Rescued& rescued : rescued_) ui.recovery.entries.push_back(rescued.entry);
   while (ui.recovery.selected + 1 < rescued_.size() &&
@@ -24,7 +28,8 @@ WindowFiles::WindowFiles(std::filesystem::path folder, Gui& gui)
 }
 
 void WindowFiles::update(double now) {
-  if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given);
+  if (const auto given = std::exchange(gui_.ui().requests.recovery, std::nullopt)) answer(*given, now);
+  if (restoring_) restoreWhenRead(now);
   Editor& editor = gui_.editor();
   for (const auto& failure : {autosave_.update(editor.session, now), autosave_.keepLeft(editor.leftLevels)}) {
     if (failure)
@@ -33,32 +38,61 @@ void WindowFiles::update(double now) {
   keepRecent();
 }
 
-void WindowFiles::answer(const RecoveryAnswer& answer) {
-  std::vector<RecoveryEntry>& offered = gui_.ui().recovery.entries;
-  if (answer.index >= rescued_.size()) return;
-  bool more = false;
-  if (answer.kind == RecoveryAnswer::Kind::discard) {
-    rescued_[answer.index].remove();
-    more = rescued_.size() > 1;
-  } else if (answer.kind == RecoveryAnswer::Kind::restore && !restore(rescued_[answer.index])) {
-    offered[answer.index].problem = gui_.editor().message;
+void WindowFiles::answer(const RecoveryAnswer& answer, double now) {
+  constexpr double patience = 5;  // seconds for a disk that does not answer
+  using Kind = RecoveryAnswer::Kind;
+  if (answer.index >= rescued_.size() || (restoring_ && answer.kind == Kind::restore)) return;
+  reading_.cancel();
+  restoring_.reset();
+  if (answer.kind == Kind::restore) {
+    restoring_ = Restoring{answer.index, now + patience};
+    const std::filesystem::path& path = rescued_[answer.index].levelPath;
+    if (!path.empty()) reading_.start(path);
     return;
   }
-  if (answer.kind != RecoveryAnswer::Kind::later) {
-    rescued_.erase(rescued_.begin() + static_cast<std::ptrdiff_t>(answer.index));
-    offered.erase(offered.begin() + static_cast<std::ptrdiff_t>(answer.index));
+  if (answer.kind == Kind::discard) {
+    rescued_[answer.index].remove();
+    forget(answer.index);
+    if (!rescued_.empty()) return;
   }
-  if (more) return;
-  // The others stay where they are, for the next start: a second one would replace what was just restored.
+  stopOffering();
+}
+
+void WindowFiles::restoreWhenRead(double now) {
+  std::optional<LevelFile> file;
+  try {
+    file = reading_.take();
+  } catch (const Error&) {
+    // The level that was rescued needs no file.
+  }
+  if (reading_.busy() && now < restoring_->until) return;
+  reading_.cancel();
+  const std::size_t index = std::exchange(restoring_, std::nullopt)->index;
+  if (!restore(rescued_[index], std::move(file))) {
+    gui_.ui().recovery.entries[index].problem = gui_.editor().message;
+    return;
+  }
+  forget(index);
+  stopOffering();
+}
+
+void WindowFiles::forget(std::size_t index) {
+  std::vector<RecoveryEntry>& offered = gui_.ui().recovery.entries;
+  rescued_.erase(rescued_.begin() + static_cast<std::ptrdiff_t>(index));
+  offered.erase(offered.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+// What is left stays where it is, for the next start: a second one would replace what was just restored.
+void WindowFiles::stopOffering() {
   rescued_.clear();
-  offered.clear();
+  gui_.ui().recovery.entries.clear();
 }
 
 // It is kept anew before the old file goes.
-bool WindowFiles::restore(Rescued& rescued) {
+bool WindowFiles::restore(Rescued& rescued, std::optional<LevelFile> file) {
   Editor& editor = gui_.editor();
   try {
-    editor.session.recover(rescued.levelPath, rescued.level, rescued.fileTime);
+    editor.session.recover(rescued.levelPath, std::move(file), rescued.level, rescued.fileTime);
     lookAfresh(editor);
     autosave_.writeNow(editor.session);
     rescued.remove();

@@ -33,11 +33,15 @@ class Leaving {
 }  // namespace
 
 void openLevel(Editor& editor, const std::filesystem::path& path) {
+  openLevel(editor, readLevelFile(path));
+}
+
+void openLevel(Editor& editor, LevelFile file) {
   const Leaving leaving(editor);
-  editor.session.open(path);
+  const std::filesystem::path opened = cleanPath(file.path);
+  editor.session.open(std::move(file));
   lookAfresh(editor);
   editor.message = editor.session.warnings().empty() ? "" : editor.session.warnings().front();
-  const std::filesystem::path opened = cleanPath(path);
   leaving.keep(editor, opened);
   const auto left = editor.leftLevels.extract(opened);
   if (left.empty()) return;

@@ -17,6 +17,7 @@
 #include "edit/lesson_state.h"
 #include "edit/live_updater.h"
 #include "edit/morph_stage.h"
+#include "edit/open_job.h"
 #include "edit/pick.h"
 #include "edit/pose_flight.h"
 #include "edit/selection.h"
@@ -35,11 +36,13 @@ struct PreviewSettings {
 };
 
 struct Editor {
-  explicit Editor(std::function<void()> wake = {}, int threads = 0) : updater(wake, threads), job(wake) {}
+  explicit Editor(std::function<void()> wake = {}, int threads = 0)
+      : updater(wake, threads), job(wake), opening(wake) {}
 
   Session session;
   LiveUpdater updater;
-  EditJob job;  ///< an edit that is made in the background
+  EditJob job;      ///< an edit that is made in the background
+  OpenJob opening;  ///< the level that is to come in this one's place
 
   DisplaySettings display;
   RaySettings rays;
@@ -75,8 +78,10 @@ struct Editor {
   std::string message;  ///< for the status line, until the next one
 };
 
-/// Opens a level and looks at it from where it wants to be looked at; an installed one that was left changed is as it
-/// was left, unless it is the open one, which is read anew. Throws Error and changes nothing then.
+/// Opens a level that was read and looks at it from where it wants to be looked at; an installed one that was left
+/// changed is as it was left, unless it is the open one, which is read anew.
+void openLevel(Editor& editor, LevelFile file);
+/// Reads it first. Throws Error and changes nothing then.
 void openLevel(Editor& editor, const std::filesystem::path& path);
 
 /// Begins a new level, the default one, and looks at it likewise.

@@ -30,13 +30,17 @@ std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::pat
 
 }  // namespace
 
-void Session::open(const std::filesystem::path& path) {
+LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token) {
   const auto written = timeOf(path);
-  LoadedLevel loaded = loadLevel(path);
+  return {path, loadLevel(path, token), written};
+}
+
+void Session::open(LevelFile file) {
+  LoadedLevel& loaded = file.loaded;
   if (loaded.isThesisScene) fillScene(loaded.level);
-  begin(path, std::move(loaded.level));
+  begin(std::move(file.path), std::move(loaded.level));
   isThesisScene_ = loaded.isThesisScene;
-  written_ = written;
+  written_ = file.written;
   warnings_ = std::move(loaded.warnings);
 }
 
@@ -62,14 +66,13 @@ void Session::startNew(Level level) {
   begin({}, std::move(level));
 }
 
-void Session::recover(const std::filesystem::path& file, Level level,
+void Session::recover(const std::filesystem::path& path, std::optional<LevelFile> file, Level level,
                       std::optional<std::filesystem::file_time_type> known) {
-  try {
-    if (file.empty()) throw Error("no file");
-    open(file);
+  if (file) {
+    open(std::move(*file));
     if (written_ && known) written_ = known;
-  } catch (const Error&) {
-    begin(file, Level());
+  } else {
+    begin(path, Level());
     written_ = std::filesystem::file_time_type::min();
   }
   edit(std::move(level));

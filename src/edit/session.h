@@ -16,22 +16,33 @@
 #include <string>
 #include <vector>
 
-#include "level/level.h"
+#include "level/level_json.h"
 
 namespace anamorph {
 
+/// A level's file as it was read.
+struct LevelFile {
+  std::filesystem::path path;
+  LoadedLevel loaded;
+  std::optional<std::filesystem::file_time_type> written;  ///< when
+};
+
+/// Reads a level or a scene of the thesis. Throws Error, and Cancelled as readFile does.
+LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token = nullptr);
+
 class Session {
  public:
-  /// Reads a level (or a scene of the thesis, with the default box in the mesh's place). Throws Error and
-  /// leaves everything as it was.
-  void open(const std::filesystem::path& path);
+  /// Begins with what was read; a scene of the thesis gets the default box in the mesh's place.
+  void open(LevelFile file);
+  /// Reads it first. Throws Error and leaves everything as it was.
+  void open(const std::filesystem::path& path) { open(readLevelFile(path)); }
 
   /// A level that has no file yet, with a history of its own.
   void startNew(Level level);
-  /// What was rescued of an earlier session: `file` as it is on disk (a new level where it is empty or cannot
-  /// be read any more), and one step to `level`. `known`: the fileTime() of that session; a file that was
+  /// What was rescued of an earlier session: the file `path` as it is on disk (a new level where there is none, or it
+  /// cannot be read any more), and one step to `level`. `known`: the fileTime() of that session; a file that was
   /// written since, or cannot be read, counts as changed by another program.
-  void recover(const std::filesystem::path& file, Level level,
+  void recover(const std::filesystem::path& path, std::optional<LevelFile> file, Level level,
                std::optional<std::filesystem::file_time_type> known = std::nullopt);
   /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
   /// that goes on is finished first. Throws Error and leaves everything as it was, the file too.

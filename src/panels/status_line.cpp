@@ -38,6 +38,17 @@ void progress(Editor& editor, const UiState& ui) {
   if (ImGui::SmallButton(tr("Cancel"))) editor.updater.cancel();
 }
 
+// A level that is being read.
+void openingProgress(Editor& editor, const UiState& ui) {
+  ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
+  const std::string file = editor.opening.path().filename().string();
+  ImGui::TextUnformatted(fmt::format(fmt::runtime(tr("Reading {}")), file).c_str());
+  ImGui::SameLine();
+  ImGui::PushID("opening");
+  if (ImGui::SmallButton(tr("Cancel"))) editor.opening.cancel();
+  ImGui::PopID();
+}
+
 // An edit that is made in the background.
 void jobProgress(Editor& editor, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
@@ -65,9 +76,10 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
-  const std::string message = !editor.message.empty()      ? editor.message
+  if (editor.opening.busy()) openingProgress(editor, ui);
+  const std::string message = !editor.message.empty()    ? editor.message
                               : !result.warnings.empty() ? result.warnings.front()
-                                                           : std::string();
+                                                         : std::string();
   const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;

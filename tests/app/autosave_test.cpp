@@ -265,7 +265,7 @@ TEST_F(Autosaves, RememberWhenTheLevelsFileWasWritten) {
   auto found = findRescued(folder);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].fileTime, known);
-  session.recover(found[0].levelPath, found[0].level, found[0].fileTime);
+  session.recover(path, readLevelFile(path), found[0].level, found[0].fileTime);
   EXPECT_TRUE(session.isFileChanged());
 }
 

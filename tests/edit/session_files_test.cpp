@@ -220,7 +220,7 @@ TEST(Recovery, IsOneStepFromWhatIsSaved) {
   const TemporaryFolder folder;
   saveLevel(folder / "a.json", numbered(1));
   Session session;
-  session.recover(folder / "a.json", numbered(5));
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5));
   EXPECT_EQ(session.level(), numbered(5));
   EXPECT_TRUE(session.modified());
   session.undo();
@@ -230,11 +230,9 @@ TEST(Recovery, IsOneStepFromWhatIsSaved) {
 
 TEST(Recovery, NeedsNoFile) {
   const TemporaryFolder folder;
-  writeText(folder / "broken.json", "{");
-  for (const fs::path& path :
-       {fs::path(), fs::path(folder / "gone.json"), fs::path(folder / "broken.json")}) {
+  for (const fs::path& path : {fs::path(), fs::path(folder / "gone.json")}) {
     Session session;
-    session.recover(path, numbered(5));
+    session.recover(path, std::nullopt, numbered(5));
     EXPECT_EQ(session.level(), numbered(5));
     EXPECT_EQ(session.path(), path);
     EXPECT_TRUE(session.modified());
@@ -245,15 +243,16 @@ TEST(Recovery, IsNotSavedOverWhatItDoesNotKnow) {
   const TemporaryFolder folder;
   writeText(folder / "broken.json", "{");
   Session session;
-  session.recover(folder / "broken.json", numbered(5));
+  session.recover(folder / "broken.json", std::nullopt, numbered(5));
   EXPECT_TRUE(session.isFileChanged()) << "a file that cannot be read may be somebody's work";
-  session.recover(folder / "gone.json", numbered(5));
+  session.recover(folder / "gone.json", std::nullopt, numbered(5));
   EXPECT_FALSE(session.isFileChanged());
   saveLevel(folder / "a.json", numbered(1));
   const auto written = fs::last_write_time(folder / "a.json");
-  session.recover(folder / "a.json", numbered(5), written);
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5), written);
   EXPECT_FALSE(session.isFileChanged());
-  session.recover(folder / "a.json", numbered(5), written - std::chrono::seconds(1));
+  session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5),
+                  written - std::chrono::seconds(1));
   EXPECT_TRUE(session.isFileChanged()) << "another program wrote it, before or after the rescue";
   EXPECT_EQ(session.fileTime(), written - std::chrono::seconds(1)) << "also for the next rescue";
   session.saveTo(folder / "a.json");

@@ -1,0 +1,26 @@
+#include "app/quit.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+#include <fmt/format.h>
+
+namespace anamorph {
+
+void reportUnwritten(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files) {
+    fmt::print(stderr, "{}: was not written: the window was closed before\n", file.string());
+  }
+}
+
+// Destructors would wait for the threads that hang, so none runs.
+void endProgramIn(double seconds) {
+  std::thread([seconds] {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    std::_Exit(EXIT_SUCCESS);
+  }).detach();
+}
+
+}  // namespace anamorph

@@ -1,0 +1,41 @@
+#include "edit/open_job.h"
+
+#include <utility>
+
+#include "base/error.h"
+
+namespace anamorph {
+
+void OpenJob::start(std::filesystem::path path) {
+  path_ = std::move(path);
+  outcomes_ =
+      std::make_shared<Mailbox<Outcome>>();  // one that is cancelled may still deliver, to the old one
+  worker_.request([path = *path_, outcomes = outcomes_](const Progress& progress) {
+    Outcome outcome;
+    try {
+      outcome.file = readLevelFile(path, &progress.token);
+    } catch (const Error&) {
+      outcome.failure = std::current_exception();
+    }
+    outcomes->put(std::move(outcome));
+  });
+}
+
+void OpenJob::cancel() {
+  worker_.cancel();
+  path_.reset();
+}
+
+std::optional<LevelFile> OpenJob::take(double patienceSeconds) {
+  if (!path_) return std::nullopt;
+  worker_.waitForEnd(patienceSeconds);
+  const bool ended = !worker_.busy();  // before the outcome is looked for: that comes first
+  auto outcome = outcomes_->take();
+  if (!outcome && !ended) return std::nullopt;
+  path_.reset();
+  if (!outcome) throw Error(worker_.takeFailure().value_or("it was not read"));
+  if (outcome->failure) std::rethrow_exception(outcome->failure);
+  return std::move(outcome->file);
+}
+
+}  // namespace anamorph
