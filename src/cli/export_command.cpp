@@ -170,9 +170,8 @@ std::size_t writeFiles(const LevelResult& finished, const std::vector<ExportRequ
       files.items.push_back(exportOne(finished, requests[i], outputs[i], common));
     } catch (const Error& error) {
       const Error named(error.message, outputs[i].name(), error.where);
-      printLine(stderr, named.what());
       if (outputs.size() == 1) throw named;
-      fmt::print(stderr, "{}\n", named.what());
+      printLine(stderr, named.what());
       files.items.push_back(
           JsonObject().add("path", outputs[i].name()).add("error", std::string(named.what())).value());
       ++failed;
