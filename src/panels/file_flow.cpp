@@ -153,8 +153,9 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
         } else {
           result = withOriginal(level, FileShape{name}, read, room);
         }
-        std::string message = fmt::format(fmt::runtime(tr("{}: {} vertices, {} triangles")),
-                                          mesh.filename().string(), read.positions.size(), read.triangles.size());
+        std::string message =
+            fmt::format(fmt::runtime(tr("{}: {} vertices, {} triangles")), mesh.filename().string(),
+                        read.positions.size(), read.triangles.size());
         for (const std::string& warning : warnings) message += "; " + warning;
         return EditResult{result, message};
       });
@@ -162,17 +163,18 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isModelFile(file)) return importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
     }
+    if (isModelFile(file) && foreignFormatOf(file).empty()) return importOriginal(editor, file);
   }
   if (files.empty()) return;
-  ui.notice = Notice{"This cannot be used here",
-                     fmt::format(fmt::runtime(tr("{}: expected a mesh (.obj, .stl, .ply), which takes the "
+  std::string text = fmt::format(fmt::runtime(tr("{}: expected a mesh (.obj, .stl, .ply), which takes the "
                                                  "original's place, or a level (.json), which is opened.")),
-                                 files.front().filename().string())};
+                                 files.front().filename().string());
+  if (const std::string other = foreignFormatOf(files.front()); !other.empty()) text += " " + other + ".";
+  ui.notice = Notice{"This cannot be used here", text};
 }
 
 void copyLevel(Editor& editor) {

@@ -65,7 +65,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::TextUnformatted(state.c_str());
   if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy()) jobProgress(editor, ui);
-  const std::string message = !editor.message.empty()           ? editor.message
+  const std::string message = !editor.message.empty()         ? editor.message
                               : !result.warnings.empty()      ? result.warnings.front()
                               : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
                                                               : std::string();
