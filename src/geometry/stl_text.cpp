@@ -170,14 +170,7 @@ class StlText {
   }
 
   // Comments are no part of STL, but of some files.
-  std::string_view nextWord() {
-    lastWord_ = takeWord(rest_);
-    while (!lastWord_.empty() && lastWord_[0] == '#') {
-      skipLine();
-      lastWord_ = takeWord(rest_);
-    }
-    return lastWord_;
-  }
+  std::string_view nextWord() { return lastWord_ = takeWordPastComments(rest_); }
 
   void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 

@@ -77,6 +77,9 @@ TEST(FileText, WordsAreSeparatedByAnyBlanks) {
   EXPECT_EQ(takeWord(text), "two");
   EXPECT_EQ(takeWord(text), "3");
   EXPECT_EQ(takeWord(text), "");
+  text = "# one\r# two\n\n #three\nfour # five";
+  EXPECT_EQ(takeWordPastComments(text), "four");
+  EXPECT_EQ(takeWordPastComments(text), "");
   EXPECT_EQ(trimmed("\t a b \r\n"), "a b");
   EXPECT_EQ(trimmed(" \n"), "");
 }

@@ -90,7 +90,7 @@ class Damage {
         for (char& c : line) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
       }
     }
-    scatter(lines, {"# by hand", ""}, 1);
+    scatter(lines, {"# by hand", ""}, 0);
     return written("m.stl", text(lines, true), faults);
   }
 

@@ -221,7 +221,7 @@ TEST(ObjReader, MoreCornersThanAnyPolygonHas) {
   std::string face = "f";
   for (std::size_t i = 0; i <= maxPolygonCorners; ++i) face += " 1";
   EXPECT_EQ(errorOf([&] { read(square + face); }),
-            "m.obj: line 5: expected at most 1000000 corners, got 1000001");
+            "m.obj: line 5: expected at most 100000 corners, got 100001");
 }
 
 }  // namespace

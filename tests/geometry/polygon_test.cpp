@@ -156,7 +156,7 @@ TEST(Polygon, ManyCornersAreCutInTime) {
 
 TEST(Polygon, ManyCornersOfAStarAreCutInTime) {
   Polygon star;
-  const int count = 200'000;
+  const int count = static_cast<int>(maxPolygonCorners);
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi * i / count, radius = i % 2 == 0 ? 3 : 2.9;
     star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));

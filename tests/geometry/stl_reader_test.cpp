@@ -139,6 +139,7 @@ TEST(StlReader, FacetsThatCannotBeUsedAreLeftOut) {
       {replaced("facet normal 0 0 1", "facet normal"), 2, {}},
       {text + "rubbish", 2, {"line 17: " + unknown}},
       {replaced(" outer", "# by hand\n outer"), 2, {}},
+      {"# by hand\n" + text, 2, {}},
       {quad, 3, {}},
       {replaced("vertex 1 1 0", "vertex 1 1 0\nvertex 0 0 0"), 2, {}},
       {two.substr(0, two.find("endsolid")) + text, 4, {}},
