@@ -71,7 +71,7 @@ class Gui {
   const FrameTimes& times() const { return times_; }
   /// Whether the 3D view is as fine as it gets.
   bool viewComplete() const { return fine_ && viewport_->complete(); }
-  /// At the end: waits so long for pictures and for an export; the files that are not written then.
+  /// At the end: waits so long for each file that is being written; those that are not written then.
   std::vector<std::filesystem::path> unwritten(double seconds);
   /// For pictures of the window: everything is so many times as large.
   void setShotFactor(double factor) { shotFactor_ = factor; }

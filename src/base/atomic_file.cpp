@@ -2,14 +2,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/kept_attributes.h"
-#include "base/retried.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
@@ -18,18 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int maxLinks = 40;  // as the kernel
 constexpr const char* mayBeLost = "but it may not outlive a power cut: ";
-
-std::string systemReason() {
-  return std::strerror(errno);
-}
-
-std::string kindName(fs::file_type type) {
-  return type == fs::file_type::directory ? "a folder"
-         : type == fs::file_type::symlink ? "a link"
-         : type == fs::file_type::fifo    ? "a pipe"
-         : type == fs::file_type::socket  ? "a socket"
-                                          : "a device";
-}
 
 }  // namespace
 
@@ -46,7 +33,9 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   if (fs::is_directory(status)) throw Error("cannot write: expected a file, got a folder", path_.string());
   if (!target_.has_filename()) throw Error("cannot write: expected the name of a file", path_.string());
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    direct_ = retried([&] { return ::open(target_.c_str(), O_WRONLY | O_CLOEXEC); });
+    if (!fs::is_character_file(status))
+      throw Error("cannot write: expected a file, got " + kindName(status.type()), path_.string());
+    direct_ = retried([&] { return ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); });
     if (direct_ < 0) fail(systemReason());
     return;
   }

@@ -14,15 +14,13 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/folder.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string systemReason() {
-  return std::strerror(errno);
-}
 
 // Closes on every way out.
 struct Descriptor {
@@ -34,14 +32,6 @@ struct Descriptor {
 
 std::string mebibytes(std::size_t bytes) {
   return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB";
-}
-
-// For messages; a link is what it leads to.
-std::string kindOf(mode_t mode) {
-  if (S_ISDIR(mode)) return "a folder";
-  if (S_ISFIFO(mode)) return "a pipe";
-  if (S_ISSOCK(mode)) return "a socket";
-  return "a device";
 }
 
 // Up to the end. In pieces, so that what nobody waits for any more ends soon.
@@ -91,7 +81,9 @@ FileBytes readRegular(const fs::path& path, std::size_t maxBytes, std::string_vi
   if (file.value < 0) throw Error("cannot open: " + systemReason(), name);
   struct stat info {};
   if (::fstat(file.value, &info) != 0) throw Error("cannot read: " + systemReason(), name);
-  if (!S_ISREG(info.st_mode)) throw Error("expected a file, got " + kindOf(info.st_mode), name);
+  std::error_code ignored;
+  if (!S_ISREG(info.st_mode))
+    throw Error("expected a file, got " + kindName(fs::status(path, ignored).type()), name);
   return readAll(file.value, name, maxBytes, limitHelp, token);
 }
 

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <system_error>
 
 #include "base/error.h"
-#include "base/retried.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
@@ -74,7 +73,7 @@ void makeFolder(const fs::path& folder) {
   fs::create_directory(folder, failure);
   if (failure) throw Error("cannot make the folder: " + failure.message(), folder.string());
   if (!syncFolder(folder.parent_path())) {
-    throw Error(std::string("cannot make the folder: ") + std::strerror(errno), folder.string());
+    throw Error("cannot make the folder: " + systemReason(), folder.string());
   }
 }
 
@@ -87,6 +86,14 @@ bool syncFolder(const fs::path& folder) {
   ::close(file);
   errno = reason;
   return synced;
+}
+
+std::string kindName(fs::file_type type) {
+  return type == fs::file_type::directory ? "a folder"
+         : type == fs::file_type::symlink ? "a link"
+         : type == fs::file_type::fifo    ? "a pipe"
+         : type == fs::file_type::socket  ? "a socket"
+                                          : "a device";
 }
 
 std::string lowerCase(std::string text) {

@@ -34,6 +34,9 @@ void makeFolder(const std::filesystem::path& folder);
 /// may not be read, some network file systems) is no fault.
 [[nodiscard]] bool syncFolder(const std::filesystem::path& folder);
 
+/// For messages about what is no file: "a folder", "a link", "a pipe", "a socket" or "a device".
+std::string kindName(std::filesystem::file_type type);
+
 /// $HOME, else the root.
 std::filesystem::path homeFolder();
 

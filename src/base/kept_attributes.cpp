@@ -7,10 +7,9 @@
 #include <sys/xattr.h>
 #endif
 
-#include <cerrno>
 #include <climits>
-#include <cstring>
-#include <string_view>
+
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
@@ -62,7 +61,7 @@ struct Copy {
 
   void lose(const std::string& message) { lost.push_back(name + ": replaced, but " + message); }
   void loseForReason(const std::string& what) {
-    lose("its " + what + " could not be kept: " + std::strerror(errno));
+    lose("its " + what + " could not be kept: " + systemReason());
   }
 };
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/retried.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {

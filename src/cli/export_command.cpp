@@ -170,6 +170,7 @@ std::size_t writeFiles(const LevelResult& finished, const std::vector<ExportRequ
       files.items.push_back(exportOne(finished, requests[i], outputs[i], common));
     } catch (const Error& error) {
       const Error named(error.message, outputs[i].name(), error.where);
+      if (outputs.size() == 1) throw named;
       printLine(stderr, named.what());
       files.items.push_back(
           JsonObject().add("path", outputs[i].name()).add("error", std::string(named.what())).value());

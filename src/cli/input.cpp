@@ -120,8 +120,8 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
   } else {
     const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
     sayWarnings(common, own.warnings);
-    input.original =
-        placeOriginal(*own.mesh, input.level.original.unitize || options.unitize, input.level.original.placement);
+    input.original = placeOriginal(*own.mesh, input.level.original.unitize || options.unitize,
+                                   input.level.original.placement);
   }
   applyOptions(options, input.level);
   if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();

@@ -65,6 +65,15 @@ std::string_view takeWord(std::string_view& text) {
   return {begin, static_cast<std::size_t>(p - begin)};
 }
 
+std::string_view takeWordPastComments(std::string_view& text) {
+  std::string_view word = takeWord(text);
+  while (!word.empty() && word[0] == '#') {
+    text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
+    word = takeWord(text);
+  }
+  return word;
+}
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
   while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);

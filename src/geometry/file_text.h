@@ -21,6 +21,9 @@ inline bool isBlank(char c) {
 /// Takes the first word off `text`; empty when there is none.
 std::string_view takeWord(std::string_view& text);
 
+/// The same, but past lines of comment: those that begin with #.
+std::string_view takeWordPastComments(std::string_view& text);
+
 /// `text` without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 

@@ -61,10 +61,12 @@ void checkIsMesh(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   const bool isPipe = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-  const std::string head = readHead(path);
-  if (isPipe || formatOfHead(path, head)) return;
-  const std::string foreign = foreignText(path, head);
-  throw Error(foreign.empty() ? std::string(knownEndings) : foreign, path.string());
+  if (isPipe || isModelFile(path)) {
+    if (const std::string foreign = foreignFormatOf(path); !foreign.empty())
+      throw Error(foreign, path.string());
+    return;
+  }
+  throw Error(std::string(knownEndings), path.string());
 }
 
 // By the content where that is beyond doubt, else by the ending.
@@ -115,6 +117,12 @@ bool isModelFile(const fs::path& path) {
   if (formatByEnding(path) || foreignByEnding(path)) return true;
   const std::string head = readHead(path);
   return formatOfHead(path, head) || foreignByContent(head);
+}
+
+std::string foreignFormatOf(const fs::path& path) {
+  if (formatByEnding(path)) return {};
+  const std::string head = readHead(path);
+  return formatOfHead(path, head) ? std::string() : foreignText(path, head);
 }
 
 LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits) {

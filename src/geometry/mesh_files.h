@@ -40,6 +40,10 @@ bool isMeshFile(const std::filesystem::path& path);
 /// it, or says what else it is.
 bool isModelFile(const std::filesystem::path& path);
 
+/// What a model is that loadMesh does not open, and what to do: "STEP is not read; export it as STL or OBJ". Empty for
+/// an OBJ, STL or PLY, and for what is no model at all.
+std::string foreignFormatOf(const std::filesystem::path& path);
+
 /// Optional extras of an export.
 struct MeshFileOptions {
   double scale = 1;     ///< positions are multiplied by it (millimetres per scene unit)

@@ -51,7 +51,7 @@ std::optional<MeshFormat> formatByContent(std::string_view head, std::size_t fil
   if (isExactBinaryStl(head, fileSize)) return MeshFormat::stl;
   std::string_view rest = withoutByteOrderMark(head.substr(0, 64 * 1024));
   const std::string_view text = rest;
-  const std::string_view word = takeWord(rest);
+  const std::string_view word = takeWordPastComments(rest);
   if (word == "ply" && hasKeyword(rest, "format")) return MeshFormat::ply;
   if (isKeyword(word, "solid") && hasKeyword(rest, "facet")) return MeshFormat::stl;
   if (isObj(text)) return MeshFormat::obj;

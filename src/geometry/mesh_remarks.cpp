@@ -42,9 +42,9 @@ std::vector<std::string> MeshRemarks::warnings() const {
 void failWithoutTriangles(const MeshRemarks& remarks, std::string_view what, std::size_t vertices) {
   if (remarks.firstFault()) throw *remarks.firstFault();
   if (vertices == 0) throw Error("expected at least one triangle, got none and 0 vertices", remarks.file());
-  throw Error(fmt::format("expected at least one triangle, got {} of {} vertices: it has no surface. Make a "
-                          "mesh of it first",
-                          what, vertices),
+  throw Error(fmt::format("expected at least one triangle, got {} of {}: it has no surface. Make a mesh of "
+                          "it first",
+                          what, vertices == 1 ? "1 vertex" : fmt::format("{} vertices", vertices)),
               remarks.file());
 }
 

@@ -177,8 +177,8 @@ class PlyReader {
         length = 0;
         continue;
       }
-      if (++length >= 3) addStripTriangle(last[1 - length % 2], last[length % 2], index);
       if (values_.isText() && values_.lastWord().empty()) return remarkBadStrip();
+      if (++length >= 3) addStripTriangle(last[1 - length % 2], last[length % 2], index);
       last = {last[1], index};
       problem_.clear();
     }

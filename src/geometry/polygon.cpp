@@ -52,10 +52,6 @@ void appendTriangle(const Triangle& t, std::vector<Triangle>& triangles) {
   if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
 }
 
-// After so many corners that were looked at in vain the rest is cut without looking, or one polygon that crosses
-// itself a million times would take hours.
-constexpr std::size_t mostFailures = 100'000'000;
-
 // The corners that are not cut off yet, as a ring.
 class EarClipper {
  public:
@@ -74,12 +70,11 @@ class EarClipper {
 
   void clipAll(std::vector<Triangle>& triangles) {
     std::size_t corner = 1;
-    std::size_t failures = 0, allFailures = 0;
+    std::size_t failures = 0;
     for (std::size_t left = corners_.size(); left > 3; --left) {
-      while (failures < left && allFailures < mostFailures && !isEar(corner)) {
+      while (failures < left && !isEar(corner)) {
         corner = next_[corner];
         ++failures;
-        ++allFailures;
       }
       // A whole round without an ear: the polygon is not simple, and any corner is as good as another.
       if (failures < left) failures = 0;

@@ -28,8 +28,8 @@ inline std::size_t trianglesOf(const PolygonSoup& polygons) {
   return polygons.corners.size() - 2 * (polygons.sizes.size() - polygons.empty);
 }
 
-/// More corners in one polygon than this are taken for damage.
-constexpr std::size_t maxPolygonCorners = 1'000'000;
+/// More corners in one polygon than this are taken for damage: of awkward ones ear clipping takes quadratic time.
+constexpr std::size_t maxPolygonCorners = 100'000;
 
 /// The limit that a polygon of so many corners passes after those read before, in the words of an Error; empty when
 /// it passes none.

@@ -21,7 +21,7 @@ bool isText(std::string_view bytes) {
   if (isExactBinaryStl(bytes, bytes.size())) return false;
   std::string_view text = withoutPadding(bytes);
   const bool hasZero = text.substr(0, 512).find('\0') != std::string_view::npos;
-  const std::string_view word = takeWord(text);
+  const std::string_view word = takeWordPastComments(text);
   return (isKeyword(word, "solid") || isKeyword(word, "facet")) && !hasZero;
 }
 

@@ -69,12 +69,12 @@ class StlText {
     const std::size_t before = mesh_.positions.size();
     try {
       readLoop();
-      addPolygon(before);
     } catch (const BadFacet& bad) {
       remark(bad.kind, bad.problem, bad.word);
       mesh_.positions.resize(before);
-      skipToEnd(bad.word);
+      return skipToEnd(bad.word);
     }
+    addPolygon(before);
   }
 
   // "endloop" or "end loop".
@@ -142,7 +142,8 @@ class StlText {
   void addPolygon(std::size_t first) {
     const std::size_t count = mesh_.positions.size() - first;
     if (count < 3) {
-      throw BadFacet{shortFacets, fmt::format("expected at least three corners, got {}", count), lastWord_};
+      remark(shortFacets, fmt::format("expected at least three corners, got {}", count), lastWord_);
+      return mesh_.positions.resize(first);
     }
     if (count > maxPolygonCorners)
       fail(fmt::format("expected at most {} corners, got {}", maxPolygonCorners, count));
@@ -169,14 +170,7 @@ class StlText {
   }
 
   // Comments are no part of STL, but of some files.
-  std::string_view nextWord() {
-    lastWord_ = takeWord(rest_);
-    while (!lastWord_.empty() && lastWord_[0] == '#') {
-      skipLine();
-      lastWord_ = takeWord(rest_);
-    }
-    return lastWord_;
-  }
+  std::string_view nextWord() { return lastWord_ = takeWordPastComments(rest_); }
 
   void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 

@@ -25,7 +25,7 @@ namespace {
 
 // Mesa's software renderer ends the program where it gets no memory, so it is not begun where that is to be foreseen.
 void checkMemory() {
-  constexpr std::size_t needed = std::size_t{512} << 20;
+  constexpr std::size_t needed = std::size_t{832} << 20;  // measured, for a picture as large as a window
   void* const room = ::mmap(nullptr, needed, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) throw std::bad_alloc();
   ::munmap(room, needed);

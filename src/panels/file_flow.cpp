@@ -179,17 +179,20 @@ void importOriginal(Editor& editor, const fs::path& mesh) {
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {
   for (const fs::path& file : files) {
-    if (isModelFile(file)) return ui.meshQuestion ? giveMesh(file, editor, ui) : importOriginal(editor, file);
     if (lowerEnding(file) == ".json") {
       ui.requests.open = file;
       return;
     }
+    if (isModelFile(file) && foreignFormatOf(file).empty())
+      return ui.meshQuestion ? giveMesh(file, editor, ui) : importOriginal(editor, file);
   }
   if (files.empty()) return;
-  ui.notice =
-      Notice{"This cannot be used here", trFormat("{}: expected a mesh (.obj, .stl, .ply), which takes the "
-                                                  "original's place, or a level (.json), which is opened.",
-                                                  files.front().filename().string())};
+  std::string text = trFormat(
+      "{}: expected a mesh (.obj, .stl, .ply), which takes the "
+      "original's place, or a level (.json), which is opened.",
+      files.front().filename().string());
+  if (const std::string other = foreignFormatOf(files.front()); !other.empty()) text += " " + other + ".";
+  ui.notice = Notice{"This cannot be used here", text};
 }
 
 void rememberLevel(UiState& ui, const fs::path& path) {

@@ -1,6 +1,6 @@
 // One background thread for what is too long for a frame: refining, matching, tracing pictures. The latest
 // request wins: a new one cancels the one that runs and replaces the one that waits, because what the user
-// dragged a moment ago nobody wants to see any more. No call here waits for a job.
+// dragged a moment ago nobody wants to see any more. No call but waitForEnd() waits for a job.
 //
 //   frame:   request(A) ... request(B) ......... takeFailure(), Mailbox::take()
 //   worker:  [A runs, is cancelled][B runs, puts results into mailboxes, wakes the window]

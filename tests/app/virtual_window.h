@@ -296,7 +296,13 @@ class VirtualWindow {
     if (std::system(("DISPLAY=" + screen_.display() + " " + command).c_str()) != 0) throw Error(command);
   }
   void resize(int width, int height) const {
-    xdotool(fmt::format("windowsize {} {} {}", id(), width, height));
+    const std::vector<double> size{double(width), double(height)};
+    const double end = secondsOfClock() + hang;
+    do {
+      xdotool(fmt::format("windowsize {} {} {}", id(), width, height));
+      if (waitFor([&](const State& s) { return s.list("window") == size; }, patience)) return;
+    } while (secondsOfClock() < end);
+    throw Error(fmt::format("the window does not become {} x {}", width, height));
   }
   /// As the button of a window's frame does: a message that the program may refuse.
   void askToClose() const { sendDeleteWindow(screen_.display(), id()); }
@@ -304,8 +310,13 @@ class VirtualWindow {
  private:
   unsigned long id() const {
     const TemporaryFolder folder;
-    shell(fmt::format("xdotool search --onlyvisible --pid {} >{}", program_->pid(), folder / "id"));
-    return std::strtoul(readAll(folder / "id").c_str(), nullptr, 10);
+    const double end = secondsOfClock() + hang;
+    do {
+      xdotool(fmt::format("search --onlyvisible --pid {} >{}", program_->pid(), folder / "id"));
+      if (const auto id = std::strtoul(readAll(folder / "id").c_str(), nullptr, 10)) return id;
+      sleepFor(0.1);
+    } while (secondsOfClock() < end && !program_->ended());
+    throw Error("the window is not to be found");
   }
   std::string logPath() const { return folder_ / "state.jsonl"; }
 
@@ -329,7 +340,11 @@ class VirtualWindow {
     return false;
   }
 
-  void xdotool(const std::string& commands) const { shell("xdotool " + commands + " >/dev/null 2>&1"); }
+  // Whether it did anything is told by the window alone: on a busy machine it may fail without a reason.
+  void xdotool(const std::string& commands) const {
+    const std::string line = "DISPLAY=" + screen_.display() + " xdotool " + commands + " 2>/dev/null";
+    [[maybe_unused]] const int ignored = std::system(line.c_str());
+  }
   void point(double x, double y) const { xdotool(fmt::format("mousemove {:.0f} {:.0f}", x, y)); }
 
   using Counts = std::map<std::string, std::ptrdiff_t>;

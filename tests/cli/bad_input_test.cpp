@@ -71,7 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
                 "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n",
                 "expected"},
-        BadFile{"model.fbx", "v 0 0 0\n", ".obj"}),
+        BadFile{"model.fbx", "Kaydara FBX Binary", "FBX is not read; export it as STL or OBJ"},
+        BadFile{"page.stl", "<!DOCTYPE html>\n<html></html>\n", "this is an HTML page, not an STL"},
+        BadFile{"comma.obj", "v 0,0 0,0 0,0\nv 1,0 0,0 0,0\nv 0,0 1,0 0,0\nf 1 2 3\n", "decimal comma"}),
     [](const auto& each) { return "Case" + std::to_string(each.index); });
 
 class BadScene : public ::testing::TestWithParam<BadFile> {};

@@ -164,10 +164,12 @@ TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
                             " --tolerance off --json -o " + (folder / "s.obj"));
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 inFrontOfMirror)"));
-  const Mesh mesh = loadMesh(folder / "s.obj").mesh;
-  ASSERT_EQ(mesh.positions.size(), 4u);
-  EXPECT_EQ(mesh.positions[0], Point(2, -1, 1)) << "the original's place";
-  EXPECT_EQ(mesh.triangles.size(), 1u);
+  const std::string written = readAll(folder / "s.obj");
+  EXPECT_THAT(written, HasSubstr("\nv 2 -1 1\n")) << "the original's place";
+  std::size_t vertices = 0;
+  for (std::size_t at = 0; (at = written.find("\nv ", at)) != std::string::npos; ++at) ++vertices;
+  EXPECT_EQ(vertices, 4u);
+  EXPECT_EQ(loadMesh(folder / "s.obj").mesh.triangles.size(), 1u);
   EXPECT_EQ(member(parseJson(result.out, "out"), "unmappedVertices").text,
             "original position kept, faces dropped");
 }
@@ -282,6 +284,36 @@ TEST(Check, NamesWhatIsFineAndWhatIsNot) {
   EXPECT_THAT(bad.err, HasSubstr("nothing.obj: cannot open: No such file or directory"));
   EXPECT_THAT(bad.err, HasSubstr("2 of 3 files have faults"));
   EXPECT_THAT(bad.out, HasSubstr("1-plane: level"));
+}
+
+// What a mesh file has lost is said by every command that reads it, and hinders none.
+TEST(Check, SaysWhatOfAMeshWasLeftOut) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder / "house.obj";
+  writeText(mesh, readAll(cube) + "\nv 5000 5000 5000\nf 1 2\n");
+  const std::string shortFace = "1 face of fewer than three corners left out\n";
+  const Result checked = run("check " + mesh);
+  EXPECT_EQ(checked.exitCode, 0) << checked.err;
+  EXPECT_THAT(checked.out, HasSubstr("mesh, 8 vertices, 12 triangles, 2 x 2 x 2, closed"));
+  EXPECT_THAT(checked.err, HasSubstr("warning: " + mesh + ": line "));
+  EXPECT_THAT(checked.err, HasSubstr(shortFace));
+  EXPECT_THAT(checked.err, HasSubstr("1 vertex that no face uses left out\n"));
+  const Result deformed = run("deform " + sphereScene + " " + mesh + " -o " + (folder / "s.obj"));
+  EXPECT_EQ(deformed.exitCode, 0) << deformed.err;
+  EXPECT_THAT(deformed.err, HasSubstr(shortFace));
+  EXPECT_EQ(run("check --quiet " + mesh).err, "");
+}
+
+TEST(Check, NamesOtherFormatsAndLooksIntoFilesWithoutAnEnding) {
+  const TemporaryFolder folder;
+  writeText(folder / "part.step", "ISO-10303-21;\n");
+  writeText(folder / "noending", readAll(cube));
+  const Result step = run("check " + (folder / "part.step"));
+  EXPECT_EQ(step.exitCode, 1);
+  EXPECT_THAT(step.err, HasSubstr("part.step: STEP is not read; export it as STL or OBJ\n"));
+  const Result mesh = run("check " + (folder / "noending"));
+  EXPECT_EQ(mesh.exitCode, 0) << mesh.err;
+  EXPECT_THAT(mesh.out, HasSubstr("mesh, 8 vertices, 12 triangles"));
 }
 
 TEST(Levels, ListsWhatIsInstalled) {

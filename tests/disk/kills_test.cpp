@@ -92,6 +92,7 @@ TEST(Terminated, ASaveLeavesNothingBehindAndDiesOfItsSignal) {
     const TemporaryFolder folder;
     writeFile(folder / "doc", "old");
     const pid_t child = inAChild([&] {
+      ::signal(signal, SIG_DFL);  // whoever runs the tests may have it ignored
       removeTemporariesOnSignals();
       AtomicFile first(folder / "doc"), second(folder / "other");
       first.write("new");
@@ -139,6 +140,7 @@ TEST(Terminated, ACommandLeavesItsOldOutputAndNothingElse) {
     const std::string output = folder / "sculpture.obj";
     writeText(output, "old");
     const pid_t child = inAChild([&] {
+      ::signal(signal, SIG_DFL);
       ::close(2);
       ::execl(ANAMORPH_PROGRAM, "anamorph", "deform", "3-sphere", "--tolerance", "0.002", "-o",
               output.c_str(), nullptr);

@@ -10,7 +10,7 @@
 namespace anamorph::testing {
 
 /// Coordinates of all magnitudes that a file may hold, awkward ones among them, and arbitrary valid
-/// triangles.
+/// triangles that use every vertex.
 inline Mesh makeRandomMesh(std::mt19937_64& random) {
   std::uniform_int_distribution<std::uint32_t> size(3, 40);
   std::uniform_real_distribution<double> mantissa(-1, 1);
@@ -24,6 +24,8 @@ inline Mesh makeRandomMesh(std::mt19937_64& random) {
   const std::uint32_t count = size(random);
   for (std::uint32_t i = 0; i < count; ++i)
     mesh.positions.push_back({coordinate(), coordinate(), coordinate()});
+  mesh.triangles.push_back({0, 1, 2});
+  for (std::uint32_t i = 1; i < count; ++i) mesh.triangles.push_back({i, (i + 1) % count, (i + 2) % count});
   for (std::uint32_t i = size(random); i > 0; --i) {
     const auto a = static_cast<std::uint32_t>(random() % count);
     mesh.triangles.push_back({a, (a + 1) % count, (a + 2) % count});

@@ -130,7 +130,9 @@ TEST_F(MeshFiles, MeshesWithoutTrianglesCanBeWrittenButNotRead) {
   for (const char* name : {"p.obj", "p.ply"}) {
     saveMesh(path(name), points);
     EXPECT_EQ(errorOf([&] { loadMesh(path(name)); }),
-              path(name) + ": expected at least one triangle, got none and 8 vertices");
+              path(name) +
+                  ": expected at least one triangle, got a point cloud of 8 vertices: it has no surface. "
+                  "Make a mesh of it first");
   }
   EXPECT_EQ(errorOf([&] { saveMesh(path("p.stl"), points); }),
             path("p.stl") + ": cannot write: STL needs at least one triangle");
@@ -160,8 +162,9 @@ TEST_F(MeshFiles, AFullDiskIsReported) {
 }
 
 TEST_F(MeshFiles, UnknownEndingsListTheKnownOnes) {
-  for (const char* name : {"m.stp", "m", "obj", ".obj", "m.obj.gz", ""}) {
+  for (const char* name : {"m.txt", "m", "obj", ".obj", ""}) {
     EXPECT_FALSE(isMeshFile(name));
+    EXPECT_FALSE(isModelFile(name));
     const std::string start = *name ? std::string(name) + ": " : "";
     const std::string message = start + "expected a file name that ends in .obj, .stl or .ply";
     EXPECT_EQ(errorOf([&] { loadMesh(name); }), message);
@@ -218,15 +221,19 @@ TEST_F(MeshFiles, BytesWithoutANameAreKnownByWhatTheyBeginWith) {
 
 TEST_F(MeshFiles, TextThatIsNoMesh) {
   const std::string page = "<!DOCTYPE html>\n<html><body>404 Not Found</body></html>\n";
-  EXPECT_EQ(errorOf([&] { readMesh(page, "m.obj"); }),
-            "m.obj: expected at least one triangle, got none and 0 vertices");
-  EXPECT_EQ(errorOf([&] { readMesh(page, "m.stl"); }),
-            "m.stl: expected an STL file of at least 84 bytes, got 56");
   EXPECT_EQ(errorOf([&] { readMesh(page, "m.ply"); }),
-            "m.ply: line 1: expected \"ply\", got \"<!DOCTYPE html>\"");
+            "m.ply: this is an HTML page, not a PLY; download the file itself");
+  const std::string letter = "Dear all,\nplease find the model attached.\n";
+  EXPECT_EQ(errorOf([&] { readMesh(letter, "m.obj"); }),
+            "m.obj: expected at least one triangle, got none and 0 vertices");
+  EXPECT_EQ(errorOf([&] { readMesh(letter, "m.stl"); }),
+            "m.stl: expected an STL file of at least 84 bytes, got 43");
+  EXPECT_EQ(errorOf([&] { readMesh(letter, "m.ply"); }),
+            "m.ply: line 1: expected \"ply\", got \"Dear all,\"");
 }
 
-// Cut off after every byte: an Error or a valid mesh, and for the binary formats always an Error.
+// Cut off after every byte: an Error or a valid mesh, and for the binary formats an Error, unless whole triangles are
+// left of an STL.
 TEST_F(MeshFiles, CutOffAnywhere) {
   const Mesh cube = makeBox({2, 2, 2}, 1);
   for (const char* name : {"m.obj", "m.stl", "m.ply"}) {
@@ -238,7 +245,9 @@ TEST_F(MeshFiles, CutOffAnywhere) {
           for (const std::uint32_t corner : t) ASSERT_LT(corner, 8u);
         }
       });
-      EXPECT_TRUE(text == "no error" ? std::string(name) == "m.obj" : text.starts_with(name))
+      const bool wholeTriangles = name == std::string("m.stl") && size > 84 && (size - 84) % 50 == 0;
+      EXPECT_TRUE(text == "no error" ? name == std::string("m.obj") || wholeTriangles
+                                     : text.starts_with(name))
           << name << " " << size;
     }
   }

@@ -130,7 +130,7 @@ TEST(PlyReader, BadHeadsAreNamedByLine) {
       {"ply\nformat ascii 2.0\n",
        "line 2: expected ascii, binary_little_endian or binary_big_endian, and 1.0, got \"format ascii "
        "2.0\""},
-      {start + "hello\n", "line 3: expected format, element, property or end_header, got \"hello\""},
+      {start + "hello\n", "line 3: expected end_header, got the end of the file"},
       {start + "element vertex\n",
        "line 3: expected the name of an element and how many there are, got \"element vertex\""},
       {start + "element vertex -1\n",
@@ -144,10 +144,12 @@ TEST(PlyReader, BadHeadsAreNamedByLine) {
        "line 3: expected an element before its properties, got \"property float x\""},
       {start + "element vertex 1\nproperty real x\n", typeAndName + "\"property real x\""},
       {start + "element vertex 1\nproperty float\n", typeAndName + "\"property float\""},
-      {start + "element face 1\nproperty list float int vertex_indices\n",
-       "line 4: expected a whole-number type after list, got \"property list float int vertex_indices\""},
+      {start + "element face 1\nproperty list real int vertex_indices\n",
+       "line 4: expected a type after list, got \"property list real int vertex_indices\""},
       {start + "end_header\n", "expected an element vertex, got none"},
-      {start + "element vertex 1\n" + xyz + "end_header\n1 2 3\n", "expected an element face, got none"},
+      {start + "element vertex 1\n" + xyz + "end_header\n1 2 3\n",
+       "expected at least one triangle, got a point cloud of 1 vertex: it has no surface. Make a mesh of it "
+       "first"},
       {head("ascii", "element vertex 6\nelement face 1\n" + faces) + "4 0 1 2 3",
        "expected a property x of element vertex, got none"},
       {head("ascii", "element face 1\n" + faces + "element vertex 6\n") + "4 0 1 2 3",
@@ -169,10 +171,10 @@ TEST(PlyReader, BadRowsAreNamed) {
   const std::string three = "expected three numbers of magnitude at most 1e9, got ";
   const std::pair<std::string, std::string> cases[] = {
       {"0 0 0\n1 nan 0\n1 1 0\n0 1 0\n3 0 1 2", "vertex 1: expected a number, got \"nan\""},
-      {"0 0 0\n1 0 0\n1 1 0\n0 1e10 0\n3 0 1 2", "vertex 3: " + three + "0 10000000000 0"},
+      {"0 0 0\n1 0 0\n1 1 0\n0 1e10 0\n3 0 1 3", "vertex 3: " + three + "0 10000000000 0"},
       {"0 0 0\n1 0 0\n1 1 1e999\n0 1 0\n3 0 1 2", "vertex 2: expected a number, got \"1e999\""},
       {squareRows + "2 0 1", "face 0: expected at least three corners, got 2"},
-      {squareRows + "10001 0 1", "face 0: expected at most 10000 corners, got 10001"},
+      {squareRows + "100001 0 1", "face 0: expected at most 100000 corners, got 100001"},
       {squareRows + "-3 0 1 2", "face 0: expected the length of a list, got -3"},
       {squareRows + "1e300 0 1 2", "face 0: expected the length of a list, got 1e+300"},
       {squareRows + "3 0 1 4", "face 0: expected vertex indices from 0 to 3, got 4"},
@@ -182,6 +184,111 @@ TEST(PlyReader, BadRowsAreNamed) {
   for (const auto& [rows, message] : cases) {
     EXPECT_EQ(errorOf([&] { read(textFile(rows)); }), "m.ply: " + message);
   }
+}
+
+void expectRead(const std::string& bytes, std::size_t triangles, const std::vector<std::string>& expected) {
+  MeshRemarks remarks("m.ply");
+  Mesh mesh;
+  EXPECT_EQ(errorOf([&] { mesh = readPly(bytes, remarks); }), "no error") << bytes;
+  EXPECT_EQ(mesh.triangles.size(), triangles) << bytes;
+  std::vector<std::string> warnings;
+  for (const std::string& warning : expected) warnings.push_back("m.ply: " + warning);
+  EXPECT_EQ(remarks.warnings(), warnings) << bytes;
+}
+
+TEST(PlyReader, RowsThatCannotBeUsedAreLeftOut) {
+  const std::string longer = "1 row longer than the head says, the rest of it skipped";
+  const std::string indices = "1 face without valid vertex indices left out";
+  expectRead(textFile(squareRows + "3 0 1 2\n3 0 1 4\n3 0 2 3\n", 4, 3), 2, {"face 1: " + indices});
+  expectRead(textFile(squareRows + "3 0 1 2\n3 0 1 x\n3 0 2 3\n", 4, 3), 2, {"face 1: " + indices});
+  expectRead(textFile(squareRows + "3 0 1 2\n3 0 1\n3 0 2 3\n", 4, 3), 2, {"face 1: " + indices});
+  expectRead(textFile(squareRows + "3 0 1 2\n-3 0 1 2\n3 0 2 3\n", 4, 3), 2,
+             {"face 1: " + indices, "face 1: " + longer});
+  expectRead(textFile(squareRows + "2 0 1\n1 0\n0\n4 0 1 2 3\n", 4, 4), 2,
+             {"from face 0 on: 3 faces of fewer than three corners left out"});
+  expectRead(textFile(squareRows + "3 0 1 2\n3 0 2 3 255 0 0\n", 4, 2), 2, {"face 1: " + longer});
+  expectRead(textFile(squareRows + "3 0 0 2\n4 0 1 2 3\n", 4, 2), 2,
+             {"face 0: 1 face of fewer than three different corners left out"});
+  expectRead(
+      textFile(squareRows + "nan 0 0\n4 0 1 2 3\n3 0 1 4\n", 5, 2), 2,
+      {"vertex 4: 1 vertex without three numbers left out", "face 1: 1 face at an unusable vertex left out"});
+  expectRead(textFile(squareRows + "7 7\n4 0 1 2 3\n", 5, 1), 2,
+             {"vertex 4: 1 vertex without three numbers left out"});
+  expectRead(textFile(squareRows + "7 7 7\n4 0 1 2 3\n", 5, 1), 2,
+             {"vertex 4: 1 vertex that no face uses left out"});
+  expectRead(textFile(squareRows + "4 0 1 2 3\n3 0 1 2\n", 4, 1), 2, {"1 line after the last row skipped"});
+}
+
+TEST(PlyReader, CommentsAndBlankLinesMayStandBetweenRows) {
+  expectRead(textFile("\n# by hand\n0 0 0\n1 0 0\n\n\ncomment x\n1 1 0\n0 1 0\n4 0 1 2 3\n\n"), 2, {});
+}
+
+TEST(PlyReader, ARowMaySpreadOverLines) {
+  expectRead(textFile("0\n0\n0\n1\n0\n0\n1\n1\n0\n0\n1\n0\n4\n0\n1\n2\n3\n"), 2, {});
+  expectRead(textFile(squareRows + "4 0 1\n2 3\n"), 2, {});
+}
+
+TEST(PlyReader, ListsThatRowsDoNotHaveAreEmpty) {
+  const std::string start =
+      head("ascii", "element vertex 4\n" + xyz + "property list uchar int tags\nelement face 1\n" + faces);
+  expectRead(start + "0 0 0\n1 0 0 0\n1 1 0 2 5 6\n0 1 0\n4 0 1 2 3\n", 2, {});
+}
+
+TEST(PlyReader, HeadsAsOtherProgramsWriteThem) {
+  const std::string plain = textFile(squareRows + "4 0 1 2 3\n");
+  const std::string skipped = "line 2: 1 unknown line of the head skipped";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string bytes = plain;
+    return bytes.replace(bytes.find(from), from.size(), to);
+  };
+  expectRead("\xEF\xBB\xBF" + plain, 2, {});
+  expectRead("\n \r\n" + plain, 2, {});
+  expectRead(with("ply\n", "ply\nCreated by hand\n"), 2, {skipped});
+  expectRead(with("ply\n", "ply\ncrs {\"authid\":\"EPSG:2056\"}\n"), 2, {skipped});
+  expectRead(with("list uchar", "list float"), 2, {});
+  std::string returns = plain;
+  std::replace(returns.begin(), returns.end(), '\n', '\r');
+  expectRead(returns, 2, {});
+  expectRead(plain + std::string("\0\0\x1a\0", 4), 2, {});
+}
+
+TEST(PlyReader, ABinaryFileMayHaveAHeadOfReturns) {
+  for (const float first : {0.0f, 2.4e-38f}) {  // whose first byte may be \n
+    std::string bytes = head("binary_little_endian", "element vertex 3\n" + xyz + "element face 1\n" + faces);
+    std::replace(bytes.begin(), bytes.end(), '\n', '\r');
+    std::string data;
+    for (const float value : {first, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f})
+      append(data, value, false);
+    data[0] = first > 0 ? '\n' : '\0';
+    append(data, std::uint8_t{3}, false);
+    for (const int index : {0, 1, 2}) append(data, index, false);
+    expectRead(bytes + data, 1, {});
+    expectRead(bytes + data + "more", 1, {"4 bytes after the last row skipped"});
+  }
+}
+
+TEST(PlyReader, StripsAreTriangles) {
+  const auto strips = [](const std::string& rows, int count) {
+    return head("ascii", "element vertex 4\n" + xyz + "element tristrips " + std::to_string(count) +
+                             "\nproperty list int int vertex_indices\n") +
+           squareRows + rows;
+  };
+  EXPECT_EQ(read(strips("4 0 1 2 3\n", 1)).triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(read(strips("8 0 1 2 -1 0 2 3 -1\n", 1)).triangles,
+            (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  expectRead(strips("5 0 1 1 2 3\n", 1), 1, {"vertex 0: 1 vertex that no face uses left out"});
+  expectRead(strips("4 0 1 2 3\n3 0 1 9\n", 2), 2,
+             {"tristrips 1: 1 triangle of a strip with an index that no vertex has left out"});
+  expectRead(strips("4 0 1 2 3\n9 0 1\n3 0 2 3\n", 3), 3, {"tristrips 1: 1 strip shorter than it says"});
+}
+
+TEST(PlyReader, SplatsHaveNoSurface) {
+  EXPECT_EQ(errorOf([] {
+              read(head("ascii", "element vertex 1\n" + xyz + "property float f_dc_0\n") + "0 0 0 1\n");
+            }),
+            "m.ply: expected at least one triangle, got Gaussian splats, a point cloud of 1 vertex: it has "
+            "no surface. "
+            "Make a mesh of it first");
 }
 
 TEST(PlyReader, HugeNumbersOfRowsAreRefusedBeforeMemoryIsTaken) {

@@ -144,7 +144,7 @@ TEST(Polygon, DegenerateOnesStillGiveTheirNumberOfTriangles) {
 
 TEST(Polygon, ManyCornersAreCutInTime) {
   Polygon comb;
-  const int teeth = static_cast<int>(maxPolygonCorners) / 4;
+  const int teeth = 10'000;
   for (int i = 0; i < teeth; ++i) {
     for (const glm::dvec2 p : {glm::dvec2(0, 0), {0.5, 0}, {0.5, 1}, {1, 1}})
       comb.emplace_back(-i - p.x, p.y + 1);
@@ -154,12 +154,30 @@ TEST(Polygon, ManyCornersAreCutInTime) {
   expectExactCover(comb, {}, "comb");
 }
 
+TEST(Polygon, ManyCornersOfAStarAreCutInTime) {
+  Polygon star;
+  const int count = static_cast<int>(maxPolygonCorners);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count, radius = i % 2 == 0 ? 3 : 2.9;
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  expectExactCover(star, {}, "star");
+}
+
+TEST(Polygon, ManyCornersThatCrossThemselvesEndInTime) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Polygon tangle;
+  for (int i = 0; i < 100'000; ++i) tangle.emplace_back(uniform(random), uniform(random));
+  EXPECT_EQ(cut(place(tangle, {})).size(), tangle.size() - 2);
+}
+
 TEST(Polygon, MoreThanTheMostCornersIsAProgrammingError) {
   EXPECT_THROW(cut(PointArray(maxPolygonCorners + 1)), ProgrammingError);
 }
 
 TEST(Polygon, ASoupKeepsTheOrderOfItsPolygons) {
-  PolygonSoup soup{{0, 1, 2, 0, 1, 2, 3, 1, 1, 2, 2, 3, 0}, {3, 4, 3, 3}};
+  PolygonSoup soup{{0, 1, 2, 0, 1, 2, 3, 1, 1, 2, 2, 3, 0}, {3, 4, 0, 3, 3}, 1};
   const PointArray points = place({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {});
   EXPECT_EQ(triangulate(points, soup), (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {2, 3, 0}, {2, 3, 0}}));
 }

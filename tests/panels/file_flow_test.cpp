@@ -427,6 +427,25 @@ TEST_F(FileFlow, OtherFilesAreToldWhatIsAccepted) {
   EXPECT_EQ(opened_, folder_ / "other.json") << "the first that can be used";
 }
 
+TEST_F(FileFlow, OtherModelsAreToldTheWayOut) {
+  acceptFiles({folder_ / "part.step"}, editor, ui);
+  ASSERT_TRUE(ui.notice);
+  EXPECT_NE(ui.notice->text.find("STEP is not read; export it as STL or OBJ."), std::string::npos)
+      << ui.notice->text;
+}
+
+TEST_F(FileFlow, WhatAMeshFileHasLostIsTold) {
+  writeText(folder_ / "wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 3 4\nf 1 2\n");
+  acceptFiles({folder_ / "wedge.obj"}, editor, ui);
+  waitForJob();
+  EXPECT_NE(editor.message.find("2 triangles"), std::string::npos) << editor.message;
+  EXPECT_NE(editor.message.find("wedge.obj: line 7: 1 face of fewer than three corners left out"),
+            std::string::npos)
+      << editor.message;
+  editor.updater.finish(editor.session, {});
+  EXPECT_EQ(editor.updater.result().shapeWarnings.size(), 1u);
+}
+
 TEST_F(FileFlow, ASceneOfTheThesisKeepsTheMeshsSize) {
   openLevel(editor, fs::path(ANAMORPH_TEST_DATA) / "scenes/thesis-sphere.json");
   editor.updater.finish(editor.session, {});

@@ -24,6 +24,16 @@ TEST(Original, FileLiesBesideTheLevel) {
   EXPECT_THROW(loadOriginal(FileShape{"nothing.obj"}, level), Error);
 }
 
+TEST(Original, WarningsOfItsFileComeWithIt) {
+  const std::string level = std::string(ANAMORPH_TEST_DATA) + "/field/level.json";
+  const std::string file = "obj-face-of-two/house.obj";
+  const LoadedOriginal loaded = loadOriginal(FileShape{file}, level);
+  EXPECT_EQ(loaded.mesh->triangles.size(), 16u);
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_NE(loaded.warnings[0].find("1 face of fewer than three corners left out"), std::string::npos);
+  EXPECT_TRUE(loadOriginal(BoxShape{}, level).warnings.empty());
+}
+
 TEST(Original, PlacedAfterUnitizing) {
   const auto placed = placeOriginal(makeBox({6, 2, 2}, 1), true, {.position = {1, 2, 3}, .scale = Vector(2)});
   const Box box = boundingBox(placed->positions);

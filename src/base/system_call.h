@@ -1,7 +1,9 @@
-// System calls that a signal interrupts are made again.
+// Calls of the system: those that a signal interrupts are made again, those that fail say why.
 #pragma once
 
 #include <cerrno>
+#include <cstring>
+#include <string>
 
 namespace anamorph {
 
@@ -12,6 +14,11 @@ auto retried(const Call& call) {
     const auto result = call();
     if (result >= 0 || errno != EINTR) return result;
   }
+}
+
+/// Why the last call failed: "No space left on device".
+inline std::string systemReason() {
+  return std::strerror(errno);
 }
 
 }  // namespace anamorph
