@@ -38,15 +38,15 @@ BenchFolder::~BenchFolder() {
 fs::path writeKnotLevel(const fs::path& level, std::size_t triangles, const fs::path& folder) {
   constexpr double aspect = 38;  // of segments to sides: the triangles are about as long as wide
   const Level old = loadLevel(level).level;
-  const auto placed =
-      placeOriginal(*loadOriginal(old.original.shape, level), old.original.unitize, old.original.placement);
+  const auto placed = placeOriginal(*loadOriginal(old.original.shape, level).mesh, old.original.unitize,
+                                    old.original.placement);
   TorusKnotShape knot;
   knot.sides = std::max(3, static_cast<int>(std::lround(std::sqrt(triangles / (2 * aspect)))));
   knot.segments = std::max(3, static_cast<int>(std::lround(triangles / (2.0 * knot.sides))));
   if (!limits::knotSides.level.holds(knot.sides) || !limits::knotSegments.level.holds(knot.segments))
     throw Error(fmt::format("bench-drag: a torus knot of {} triangles cannot be made", triangles));
   const fs::path file = folder / "knot.json";
-  saveLevel(file, withOriginal(old, knot, *loadOriginal(knot, {}), boundingBox(placed->positions)));
+  saveLevel(file, withOriginal(old, knot, *loadOriginal(knot, {}).mesh, boundingBox(placed->positions)));
   return file;
 }
 
