@@ -13,15 +13,15 @@
 namespace anamorph::testing {
 
 /// Removed with its folder at the end.
-class LevelFile {
+class LessonFile {
  public:
-  LevelFile() {
+  LessonFile() {
     std::string name = (std::filesystem::temp_directory_path() / "anamorph-XXXXXX").string();
     folder_ = mkdtemp(name.data());
   }
-  ~LevelFile() { std::filesystem::remove_all(folder_); }
-  LevelFile(const LevelFile&) = delete;
-  LevelFile& operator=(const LevelFile&) = delete;
+  ~LessonFile() { std::filesystem::remove_all(folder_); }
+  LessonFile(const LessonFile&) = delete;
+  LessonFile& operator=(const LessonFile&) = delete;
 
   void save(const Level& level) { saveLevel(path(), level); }
   std::filesystem::path path() const { return folder_ / "level.json"; }

@@ -45,7 +45,7 @@ class LessonRunTest : public ::testing::Test {
     evaluate(editor);
   }
 
-  LevelFile folder_;
+  LessonFile folder_;
   Editor editor;
 };
 
