@@ -17,7 +17,8 @@
 namespace anamorph {
 namespace {
 
-constexpr std::array signals{SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL};
+// Faults of the program, and the ends that others ask for: a log-out, Ctrl+C in the terminal.
+constexpr std::array signals{SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGTERM, SIGHUP, SIGINT};
 
 // A handler has no other way to anything. What was in force before: a sanitizer's, for example.
 std::array<struct sigaction, signals.size()> before;
@@ -68,10 +69,11 @@ void installCrashHandler() {
   alternate.ss_size = stack.size();
   ::sigaltstack(&alternate, nullptr);
   for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (::sigaction(signals[i], nullptr, &before[i]) != 0 || before[i].sa_handler == SIG_IGN) continue;
     struct sigaction action {};
     action.sa_handler = leave;
     action.sa_flags = SA_ONSTACK;
-    ::sigaction(signals[i], &action, &before[i]);
+    ::sigaction(signals[i], &action, nullptr);
   }
 }
 

@@ -19,7 +19,7 @@ void ExportJob::update(Editor& editor, UiState& ui) {
     waiting_ = Task::check;
     writing_.reset();
   }
-  if ((waiting_ || worker_.busy()) && std::exchange(ui.requests.cancelExport, false)) {
+  if (std::exchange(ui.requests.cancelExport, false) && (waiting_ || worker_.busy())) {
     cancelled_ = true;
     waiting_.reset();
     worker_.cancel();

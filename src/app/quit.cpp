@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "base/temporary_file.h"
 #include "cli/print.h"
 
 namespace anamorph {
@@ -19,6 +20,7 @@ void reportUnwritten(const std::vector<std::filesystem::path>& files) {
 void endProgramIn(double seconds) {
   std::thread([seconds] {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    removeTemporaries();
     std::_Exit(EXIT_SUCCESS);
   }).detach();
 }

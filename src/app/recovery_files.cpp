@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <chrono>
 #include <ctime>
@@ -66,11 +67,23 @@ LevelNow readNow(const fs::path& file) {
   return now;
 }
 
-// What `look` makes of the file; nothing of it after half a second: then it is left to itself.
+// What `look` makes of the file; nothing of it after half a second: then it is left to itself, and as long as that look
+// hangs no other is begun.
 template <typename Found>
 Found lookAt(const fs::path& file, Found (*look)(const fs::path&)) {
+  static std::atomic<int> looking = 0;
+  constexpr int most = 4;  // several files, and windows in tests
   if (file.empty()) return {};
-  std::packaged_task<Found()> task([file, look] { return look(file); });
+  if (looking.fetch_add(1) >= most) {
+    --looking;
+    return {};
+  }
+  std::packaged_task<Found()> task([file, look] {
+    struct Leave {
+      ~Leave() { --looking; }
+    } leave;
+    return look(file);
+  });
   std::future<Found> found = task.get_future();
   std::thread(std::move(task)).detach();
   const bool answers = found.wait_for(std::chrono::milliseconds(500)) == std::future_status::ready;

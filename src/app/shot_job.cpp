@@ -43,30 +43,36 @@ void say(Gui& gui, const std::string& text) {
 
 void ShotJob::update(Gui& gui) {
   UiRequests& requests = gui.ui().requests;
-  const bool cancelled = requests.cancelShot || requests.cancelExport;
-  requests.cancelShot = requests.cancelExport = false;
+  const bool cancelled =
+      std::exchange(requests.cancelShot, false) || (shot_ && std::exchange(requests.cancelExport, false));
   if (cancelled && shot_) {
     shot_.reset();
     say(gui, tr("Cancelled. Nothing was written."));
   }
-  const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
-  if (const auto written = written_->take()) {
-    say(gui, withRemarks(trFormat("Written: {}", written->path.string()), written->lost));
-    if (written->exported) ++gui.editor().exported;
-  }
-  if (const auto failure = worker_.takeFailure()) {
-    giveUpQuitting(gui.ui(), *failure);
-    say(gui, *failure);
+  const bool busy = !files_.idle();  // before its outcomes: then they are all there
+  if (const auto message = messages_->take()) say(gui, *message);
+  for (const WriteQueue::Outcome& outcome : files_.takeOutcomes()) {
+    const bool asked = asked_.erase(outcome.name) > 0;
+    if (outcome.failure.empty()) {
+      gui.editor().exported += asked;
+      continue;
+    }
+    giveUpQuitting(gui.ui(), outcome.failure);
+    say(gui, outcome.failure);
   }
   if (const auto request = std::exchange(requests.shot, std::nullopt)) begin(gui, *request);
   if (shot_) shot_->draw(frameShare);
   if (shot_ && shot_->complete()) write();
-  gui.ui().shot = {shot_ || busy || worker_.busy(), shot_ ? shot_->fraction() : 1, path_.string()};
+  const bool drawing = shot_ != nullptr;
+  gui.ui().shot = {drawing || busy || !files_.idle(), drawing, drawing ? shot_->fraction() : 1,
+                   path_.string()};
 }
 
-std::optional<fs::path> ShotJob::unwritten(double seconds) {
-  if (!shot_ && worker_.waitForEnd(seconds) && !worker_.takeFailure()) return std::nullopt;
-  return path_.empty() ? "the picture of the window" : path_;
+std::vector<fs::path> ShotJob::unwritten(double seconds) {
+  const std::vector<std::string> names = files_.undone(seconds);
+  std::vector<fs::path> files(names.begin(), names.end());
+  if (shot_) files.push_back(path_.empty() ? "the picture of the window" : path_);
+  return files;
 }
 
 void ShotJob::begin(Gui& gui, const ShotRequest& request) {
@@ -82,10 +88,13 @@ void ShotJob::begin(Gui& gui, const ShotRequest& request) {
 void ShotJob::write() {
   const auto layers = std::make_shared<const ShotLayers>(shot_->takeLayers());
   shot_.reset();
-  worker_.request([layers, path = path_, written = written_](const Progress&) {
+  const std::string name =
+      path_.empty() ? fmt::format("picture {} of the window", ++unnamed_) : path_.string();
+  if (!path_.empty()) asked_.insert(name);
+  files_.add(name, [layers, path = path_, messages = messages_] {
     const fs::path file = path.empty() ? freshScreenshotPath() : path;
     const std::vector<std::string> lost = savePng(file, compose(*layers));
-    written->put({file, !path.empty(), lost});
+    messages->put(withRemarks(trFormat("Written: {}", file.string()), lost));
   });
 }
 

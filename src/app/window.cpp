@@ -160,7 +160,7 @@ class MainWindow {
     glfwHideWindow(handle_.get());
     endProgramIn(0.45);
     reportUnwritten(gui_->unwritten(0.1));
-    if (const auto file = shotJob_->unwritten(0.05)) reportUnwritten({*file});
+    reportUnwritten(shotJob_->unwritten(0.05));
     reportUnwritten(files_->unwritten(0.15));
   }
 
@@ -176,7 +176,7 @@ class MainWindow {
   void waitForWork() {
     const double now = glfwGetTime();
     if (gui_->unfinished()) {
-      const bool onlyWorker = gui_->viewComplete() && !gui_->ui().shot.running && !isMoving(gui_->editor()) &&
+      const bool onlyWorker = gui_->viewComplete() && !gui_->ui().shot.drawing && !isMoving(gui_->editor()) &&
                               now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);

@@ -26,6 +26,8 @@ std::string failureOf(const WriteQueue::Job& job) {
     return {};
   } catch (const std::exception& error) {
     return error.what();
+  } catch (...) {
+    return "cancelled";
   }
 }
 

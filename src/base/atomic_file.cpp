@@ -15,19 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int maxLinks = 40;  // as the kernel
 constexpr const char* mayBeLost = "but it may not outlive a power cut: ";
 
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
   std::error_code problem, ignored;
-  target_ = path_;
-  for (int links = 0; fs::is_symlink(target_, ignored); ++links) {
-    errno = ELOOP;
-    if (links == maxLinks) fail(systemReason());
-    target_ = target_.parent_path() / fs::read_symlink(target_, ignored);
-  }
+  target_ = behindLinks(path_);
+  errno = ELOOP;
+  if (fs::is_symlink(target_, ignored)) fail(systemReason());
   const fs::file_status status = fs::status(target_, problem);
   if (status.type() == fs::file_type::none) fail(problem.message());
   if (fs::is_directory(status)) throw Error("cannot write: expected a file, got a folder", path_.string());
@@ -72,7 +68,7 @@ std::vector<std::string> AtomicFile::commit() {
     std::error_code ignored;
     fail(folder.empty() || fs::is_directory(folder, ignored) ? reason : "its folder is gone");
   }
-  if (!syncFolder(folder)) throw Error(std::string("written, ") + mayBeLost + systemReason(), path_.string());
+  if (!syncFolder(folder)) lost.push_back(path_.string() + ": written, " + mayBeLost + systemReason());
   return lost;
 }
 

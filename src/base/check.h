@@ -13,7 +13,8 @@ struct ProgrammingError : std::logic_error {
 };
 
 [[noreturn]] inline void failCheck(const char* condition, const char* file, int line) {
-  throw ProgrammingError(std::string(file) + ":" + std::to_string(line) + ": CHECK(" + condition + ") failed");
+  throw ProgrammingError(std::string(file) + ":" + std::to_string(line) + ": CHECK(" + condition +
+                         ") failed");
 }
 
 }  // namespace anamorph

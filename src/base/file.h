@@ -11,9 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/temporary_file.h"
-
 #include "base/progress.h"
+#include "base/temporary_file.h"
 
 namespace anamorph {
 
@@ -51,8 +50,8 @@ class AtomicFile {
 
   /// Throws Error, for example when the disk is full.
   void write(std::string_view bytes);
-  /// From its return on the new file outlives a power cut. Returns what could not be kept of the old one, as
-  /// whole messages. Throws Error; the old file is there then, unless the message says that the new one is.
+  /// From its return on the new file outlives a power cut, unless what it returns says that it may not. Returns what
+  /// could not be kept of the old one, as whole messages. Throws Error; the old file is there then.
   std::vector<std::string> commit();
 
  private:

@@ -88,6 +88,15 @@ bool syncFolder(const fs::path& folder) {
   return synced;
 }
 
+fs::path behindLinks(fs::path path) {
+  constexpr int maxLinks = 40;  // as the kernel
+  std::error_code ignored;
+  for (int links = 0; links < maxLinks && fs::is_symlink(path, ignored); ++links) {
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  }
+  return path;
+}
+
 std::string kindName(fs::file_type type) {
   return type == fs::file_type::directory ? "a folder"
          : type == fs::file_type::symlink ? "a link"

@@ -34,6 +34,9 @@ void makeFolder(const std::filesystem::path& folder);
 /// may not be read, some network file systems) is no fault.
 [[nodiscard]] bool syncFolder(const std::filesystem::path& folder);
 
+/// What the links that end in this name lead to, if only to a name that is not there yet; in a ring of links, one of them.
+std::filesystem::path behindLinks(std::filesystem::path path);
+
 /// For messages about what is no file: "a folder", "a link", "a pipe", "a socket" or "a device".
 std::string kindName(std::filesystem::file_type type);
 

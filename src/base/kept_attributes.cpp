@@ -106,7 +106,8 @@ std::vector<std::string> keepAttributes(const fs::path& old, int file, const std
   copyOwner(copy, before, now);
   copyAttributes(copy);
   copyRights(copy, before);
-  if (const auto others = before.st_nlink - 1; others > 0) {
+  if (before.st_nlink > 1) {
+    const auto others = before.st_nlink - 1;
     copy.lose(others == 1 ? "its other name (a hard link) still has the old contents"
                           : "its " + std::to_string(others) +
                                 " other names (hard links) still have the old contents");

@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/folder.h"
+
 namespace anamorph {
 namespace {
 
 namespace fs = std::filesystem;
 
 // Where a file that is not there yet would be made: behind a link that leads to nothing, too.
-fs::path placeOf(fs::path path) {
-  constexpr int maxLinks = 40;  // as the kernel
+fs::path placeOf(const fs::path& path) {
   std::error_code ignored;
-  for (int links = 0; links < maxLinks && fs::is_symlink(path, ignored); ++links) {
-    path = path.parent_path() / fs::read_symlink(path, ignored);
-  }
-  const fs::path whole = fs::absolute(path, ignored);
+  const fs::path whole = fs::absolute(behindLinks(path), ignored);
   const fs::path place = fs::weakly_canonical(whole, ignored);
   return ignored ? whole.lexically_normal() : place;
 }

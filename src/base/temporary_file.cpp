@@ -53,9 +53,7 @@ void giveSlot(int slot) {
 }
 
 extern "C" void removeTemporariesAndEnd(int signal) {
-  for (const NameSlot& slot : slots) {
-    if (slot.filled) ::unlink(slot.path);
-  }
+  removeTemporaries();
   ::raise(signal);  // blocked while this runs, then the default action: see SA_RESETHAND
 }
 
@@ -112,6 +110,12 @@ bool TemporaryFile::moveTo(const fs::path& target) {
   if (retried([&] { return ::rename(path_.c_str(), target.c_str()); }) != 0) return false;
   path_.clear();
   return true;
+}
+
+void removeTemporaries() noexcept {
+  for (const NameSlot& slot : slots) {
+    if (slot.filled) ::unlink(slot.path);
+  }
 }
 
 void removeTemporariesOnSignals() {

@@ -36,4 +36,7 @@ class TemporaryFile {
 /// allows (ulimit -f) is an error instead of an end.
 void removeTemporariesOnSignals();
 
+/// Those that this program has; for an end that no destructor sees. Neither locks nor allocates.
+void removeTemporaries() noexcept;
+
 }  // namespace anamorph

@@ -14,6 +14,8 @@
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/same_file.h"
+#include "base/system_call.h"
+#include "cli/print.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
 
@@ -45,11 +47,7 @@ void copyFrom(std::ifstream& file, const Take& take) {
   while (file.read(piece.data(), piece.size()), file.gcount() > 0) {
     take(std::string_view(piece.data(), static_cast<std::size_t>(file.gcount())));
   }
-}
-
-void writeResult(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size()) return;
-  throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
+  if (file.bad()) throw Error("the result cannot be read again: " + systemReason());
 }
 
 // "b.obj: ONE", or "./b.obj: this is b.obj, which TWO".
@@ -114,10 +112,11 @@ bool Output::isStandardOutput() const {
 void Output::deliver() {
   if (!isStream()) return;
   std::ifstream file(path_, std::ios::binary);
+  if (!file) throw Error("cannot be read again: " + systemReason(), path_.string());
   std::error_code ignored;
   fs::remove_all(std::exchange(folder_, {}), ignored);  // now: who reads the output may end us at any time
   if (isStandardOutput()) {
-    copyFrom(file, writeResult);
+    copyFrom(file, [](std::string_view piece) { printText(stdout, piece); });
     return flushResults();
   }
   AtomicFile device(target_);

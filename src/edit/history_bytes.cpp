@@ -28,18 +28,20 @@ std::size_t bytesWithoutText(const Level& level) {
   return bytes;
 }
 
-// Adds one level after the other, and counts each text once.
+// Adds one level after the other, and counts once what they share.
 class Sum {
  public:
   std::size_t add(const Level& level) {
     bytes_ += bytesWithoutText(level);
-    if (texts_.insert(&*level.text).second) bytes_ += bytesOf(*level.text);
+    if (shared_.insert(&*level.text).second) bytes_ += bytesOf(*level.text);
+    const auto* file = std::get_if<FileShape>(&level.original.shape);
+    if (file && shared_.insert(&*file->obj).second) bytes_ += bytesOf(*file->obj);
     return bytes_;
   }
 
  private:
   std::size_t bytes_ = 0;
-  std::set<const LevelText*> texts_;
+  std::set<const void*> shared_;  // what was counted
 };
 
 }  // namespace

@@ -25,8 +25,10 @@ PreparedSculpture MorphStage::at(double fraction, const LevelScene& level, const
 PreparedSculpture MorphStage::follow(Input input, int threads) {
   if (auto state = states_->take()) shown_ = std::move(*state);
   const PreparedSculpture sculpture = input.sculpture;
-  busy_ = !shown_ || !(shown_->input == input);
+  if (worker_.takeFailure()) failed_ = requested_;  // out of memory: the same again would fail again
+  busy_ = !(shown_ && shown_->input == input) && !(failed_ && *failed_ == input);
   if (busy_ && !worker_.busy()) {
+    requested_ = input;
     worker_.request(
         [input = std::move(input), threads, maker = workersMaker_, states = states_](const Progress&) {
           states->put({input, maker->make(input, threads)});

@@ -53,7 +53,8 @@ class MorphStage {
 
   Memo<Input, PreparedSculpture> memo_;
   Maker maker_;
-  std::optional<State> shown_;  // of the worker's
+  std::optional<State> shown_;               // of the worker's
+  std::optional<Input> requested_, failed_;  // of the worker
   bool busy_ = false;
   std::shared_ptr<Maker> workersMaker_ = std::make_shared<Maker>();
   std::shared_ptr<Mailbox<State>> states_ = std::make_shared<Mailbox<State>>();

@@ -51,10 +51,14 @@ void FieldReader::field(const char* key, bool& value) {
 }
 
 void FieldReader::field(const char* key, std::string& value) {
+  textOrNone(key, value, limits::mostTextBytes);
+}
+
+void FieldReader::textOrNone(const char* key, std::string& value, std::size_t most) {
   const JsonValue* json = find(key);
   if (!json) return;
   if (json->kind != Kind::string) fail(pathOf(key), "a string", *json);
-  checkBytes(json->text, key, limits::mostTextBytes);
+  checkBytes(json->text, key, most);
   value = json->text;
 }
 

@@ -53,8 +53,8 @@ class FieldReader {
   void factors(const char* key, Vector& value, Range range);
   /// A number, or "off" for 0.
   void numberOrOff(const char* key, double& value, Range range);
-  /// A string, empty where the file has none.
-  void textOrNone(const char* key, std::string& value) { field(key, value); }
+  /// A string of at most `most` bytes, empty where the file has none.
+  void textOrNone(const char* key, std::string& value, std::size_t most);
   /// Any JSON, as text on one line of at most `most` bytes.
   void opaque(const char* key, std::string& json, std::size_t most);
 

@@ -82,7 +82,7 @@ void FieldWriter::numberOrOff(const char* key, double value, Range) {
   add(key, value == 0 ? scalar(Kind::string, "off") : number(value));
 }
 
-void FieldWriter::textOrNone(const char* key, const std::string& value) {
+void FieldWriter::textOrNone(const char* key, const std::string& value, std::size_t /*most*/) {
   if (!value.empty()) field(key, value);
 }
 

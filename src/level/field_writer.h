@@ -37,7 +37,7 @@ class FieldWriter {
   void factors(const char* key, const Vector& value, Range);
   void numberOrOff(const char* key, double value, Range);
   /// Nothing is written for an empty text.
-  void textOrNone(const char* key, const std::string& value);
+  void textOrNone(const char* key, const std::string& value, std::size_t most);
   /// Nothing is written for an empty text. Throws Error when it is not JSON.
   void opaque(const char* key, const std::string& json, std::size_t);
 

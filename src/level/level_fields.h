@@ -149,9 +149,7 @@ void fields(At& at, FileShape& file) {
   at.expect(isName, "path", "the name of a mesh file");
   at.expect(file.path.size() <= limits::mostPathBytes, "path", "a shorter name of a mesh file");
   std::string obj = *file.obj;
-  at.textOrNone("obj", obj);
-  at.expect(obj.size() <= limits::mostInsideBytes, "obj",
-            fmt::format("an OBJ text of at most {} bytes", limits::mostInsideBytes));
+  at.textOrNone("obj", obj, limits::mostInsideBytes);
   file.obj = std::move(obj);
 }
 

@@ -107,7 +107,8 @@ std::filesystem::path modelPath(const FileShape& shape, const std::filesystem::p
 
 std::optional<std::filesystem::path> meshFileOf(const Level& level, const std::filesystem::path& levelPath) {
   const auto* file = std::get_if<FileShape>(&level.original.shape);
-  return file && !file->path.empty() ? std::optional(modelPath(*file, levelPath)) : std::nullopt;
+  if (!file || file->path.empty() || !file->obj->empty()) return std::nullopt;
+  return modelPath(*file, levelPath);
 }
 
 }  // namespace anamorph

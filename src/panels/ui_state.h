@@ -51,7 +51,8 @@ struct UiState : Look {
 
   UiRequests requests;
   struct ShotProgress {
-    bool running = false;
+    bool running = false;  ///< until it is written
+    bool drawing = false;
     double fraction = 0;
     std::string file;  ///< where the user wants it; empty: anywhere
   } shot;              ///< the picture of the window that is being made

@@ -44,8 +44,8 @@ class InputsAndOutputs : public ::testing::TestWithParam<Case> {
     writeText(at("level"), level);
     fs::copy_file(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", at("b.obj"));
     fs::copy_file(at("b.obj"), at("model.obj"));
-    saveMesh(at("model.stl"), loadMesh(at("b.obj")));
-    saveMesh(at("model.ply"), loadMesh(at("b.obj")));
+    saveMesh(at("model.stl"), loadMesh(at("b.obj")).mesh);
+    saveMesh(at("model.ply"), loadMesh(at("b.obj")).mesh);
     fs::create_directory(at("a"));
     fs::create_directory(at("folder.obj"));
     fs::create_symlink("b.obj", at("link.obj"));
