@@ -43,9 +43,7 @@ void say(Gui& gui, const std::string& text) {
 
 void ShotJob::update(Gui& gui) {
   UiRequests& requests = gui.ui().requests;
-  const bool cancelled =
-      std::exchange(requests.cancelShot, false) || (shot_ && std::exchange(requests.cancelExport, false));
-  if (cancelled && shot_) {
+  if (std::exchange(requests.cancelShot, false) && shot_) {
     shot_.reset();
     say(gui, tr("Cancelled. Nothing was written."));
   }

@@ -12,7 +12,7 @@
 namespace anamorph {
 namespace {
 
-constexpr Remark atBadVertex{"1 face with such a corner left out", "{} faces with such a corner left out"};
+constexpr Remark atBadVertex{"1 face at an unusable vertex left out", "{} faces at an unusable vertex left out"};
 constexpr Remark twiceTheSame{"1 face of fewer than three different corners left out",
                               "{} faces of fewer than three different corners left out"};
 constexpr Remark unusedVertices{"1 vertex that no face uses left out",

@@ -33,7 +33,7 @@ std::vector<std::string> MeshRemarks::warnings() const {
     const bool isRange = count > 1 && !where.empty();
     std::string what = !kind        ? text
                        : count == 1 ? std::string(kind->one)
-                                    : fmt::format(fmt::runtime(kind->many), count);
+                                    : fmt::vformat(kind->many, fmt::make_format_args(count));
     warnings.emplace_back(Error(std::move(what), file_, isRange ? "from " + where + " on" : where).what());
   }
   return warnings;

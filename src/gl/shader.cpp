@@ -156,8 +156,13 @@ ShaderProgram::ShaderProgram(const std::string& vertexFile, const std::string& f
   throw Error("the shaders do not fit together: " + problem, vertexFile + " and " + fragmentFile);
 }
 
+// One in use is deleted only when another one is: who notes it and puts it back meanwhile would name one that is gone.
 ShaderProgram::~ShaderProgram() {
-  if (name_ != 0) glDeleteProgram(name_);
+  if (name_ == 0) return;
+  GLint current = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &current);
+  if (current == static_cast<GLint>(name_)) glUseProgram(0);
+  glDeleteProgram(name_);
 }
 
 ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept : name_(std::exchange(other.name_, 0)) {}

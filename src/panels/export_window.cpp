@@ -125,7 +125,7 @@ void drawButtons(ExportDialog& dialog, const std::filesystem::path& level, FileB
   if (dialog.running) {
     ImGui::ProgressBar(static_cast<float>(dialog.fraction), {-90 * static_cast<float>(look.scale), 0});
     ImGui::SameLine();
-    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) requests.cancelExport = true;
+    if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) requests.cancelExport = requests.cancelShot = true;
     return;
   }
   const ExportEntry& entry = entryOf(dialog);

@@ -343,12 +343,12 @@ TEST(Match, FewPixelsHaveNoGrade) {
 }
 
 TEST(Match, WhatIsSeenBesideTheOriginalIsExtra) {
-  const DeformInput deform = planeInput(box());
+  const DeformInput deform = planeInput(makeBox({2, 2, 2}, 4));
   Sculpture twice = makeSculpture(deform);
   const Mesh other = twice.mesh;
   const auto first = static_cast<std::uint32_t>(other.positions.size());
   for (std::size_t i = 0; i < first; ++i) {
-    twice.mesh.positions.push_back(other.positions[i] + Vector(0, 0, 2.5));
+    twice.mesh.positions.push_back(other.positions[i] + Vector(3, 0, 0));
     twice.original.push_back(twice.original[i]);
   }
   for (std::size_t i = 0; i < other.triangles.size(); ++i) {

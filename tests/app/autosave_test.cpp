@@ -104,7 +104,10 @@ TEST_F(Autosaves, LeaveTheTextAndTheDiskToAnotherThread) {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
   };
   Level level = numbered(1);
-  level.text.edit([](LevelText& text) { text.description = std::string(4 << 20, 'x'); });
+  level.text.edit([](LevelText& text) {
+    text.lesson = R"({"id": "long", "steps": [{"id": "a", "title": "A", "why": ")" +
+                  std::string(1'000'000, 'x') + R"(", "do": ""}]})";
+  });
   double start = threadSeconds();
   formatLevel(level);
   const double formatting = threadSeconds() - start;
@@ -261,7 +264,7 @@ TEST_F(Autosaves, OfLevelsThatWereLeftAreKeptUntilTheyAreOpenAgain) {
   }
   EXPECT_EQ(files(), 0u) << "it ended as it should";
   dieWith([&] {
-    Autosave autosave(folder);
+    Autosave& autosave = *new Autosave(folder);  // its destructor would end it as it should
     session.reset();
     keep(autosave);
   });

@@ -132,15 +132,19 @@ TEST_F(OpenGui, ReloadingEndsTheDrag) {
 
 TEST_F(OpenGui, ALevelThatCannotBeOpenedLeavesTheOldOne) {
   const TemporaryFolder folder;
+  const auto ask = [&](const std::filesystem::path& file) {
+    ui().requests.open = file;
+    do frames(1);
+    while (editor().opening.busy());
+    frames(2);
+  };
   writeText(folder / "broken.json", "{");
-  gui().open(folder / "broken.json");
-  frames(2);
+  ask(folder / "broken.json");
   EXPECT_EQ(editor().session.level(), loadLevel(levelPath("1-plane")).level);
   ASSERT_TRUE(ui().notice);
   EXPECT_NE(ui().notice->text.find("broken.json"), std::string::npos);
-  gui().open(folder / "gone.json");
+  ask(folder / "gone.json");
   EXPECT_NE(ui().notice->text.find("gone.json"), std::string::npos);
-  frames(2);
   gui().key(keys::enter, 0);
   frames(2);
   EXPECT_FALSE(ui().notice);

@@ -197,8 +197,9 @@ TEST(Match, JsonHasEveryFigure) {
   const Result result = run("match 3-sphere --size 200 --json");
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const JsonValue json = parseJson(result.out, "out");
-  EXPECT_THAT(json.keys, ElementsAre("size", "silhouetteIou", "correspondencePx", "triangleAgreement",
-                                     "hiddenShare", "missedShare", "grade", "status"));
+  EXPECT_THAT(json.keys, ElementsAre("size", "originalPixels", "contourPx", "silhouetteIou", "correspondencePx",
+                                     "triangleAgreement", "hiddenShare", "missedShare", "extraShare", "grade",
+                                     "status"));
   EXPECT_THAT(member(json, "correspondencePx").keys, ElementsAre("mean", "p99", "max"));
   EXPECT_EQ(member(json, "size").number, 200);
   EXPECT_GE(member(json, "silhouetteIou").number, 0.99);

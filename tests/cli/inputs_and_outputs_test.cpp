@@ -209,14 +209,14 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(OneOfSeveral, InputsAndOutputs,
                          ::testing::Values(
                              // There is no plate for a sculpture above the mirror.
-                             Case{"@ export 3-sphere --base-plate 2 -o new.stl -o match.json --size 64",
+                             Case{"@ export 3-sphere --base-plate 2 -o new.stl -o picture.png --size 64",
                                   1,
                                   "new.stl: ",
-                                  {"match.json"}},
-                             Case{"@ export 3-sphere --base-plate 2 -o new.stl -o match.json --size 64",
+                                  {"picture.png"}},
+                             Case{"@ export 3-sphere --base-plate 2 -o new.stl -o picture.png --size 64",
                                   1,
                                   "1 of 2 files could not be written",
-                                  {"match.json"}},
+                                  {"picture.png"}},
                              Case{"ln -s /dev/full full.stl; @ export my.json -o full.stl -o new.ply",
                                   1,
                                   "full.stl: cannot write: No space left on device",

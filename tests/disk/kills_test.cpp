@@ -72,7 +72,7 @@ TEST(Killed, AtAnyMomentOfASaveTheOldOrTheNewLevelIsThere) {
   std::uniform_int_distribution<int> delay(0, 20000);  // microseconds: some saves long
   const TemporaryFolder folder;
   const fs::path path = folder / "level.json";
-  const Level levels[] = {numbered(1, 400000), numbered(2, 10)};
+  const Level levels[] = {numbered(1, 60000), numbered(2, 10)};
   saveLevel(path, levels[0]);
   for (int moment = 0; moment < 10; ++moment) {
     const pid_t child = inAChild([&] {

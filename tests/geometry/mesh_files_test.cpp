@@ -227,7 +227,7 @@ TEST_F(MeshFiles, TextThatIsNoMesh) {
   EXPECT_EQ(errorOf([&] { readMesh(letter, "m.obj"); }),
             "m.obj: expected at least one triangle, got none and 0 vertices");
   EXPECT_EQ(errorOf([&] { readMesh(letter, "m.stl"); }),
-            "m.stl: expected an STL file of at least 84 bytes, got 43");
+            "m.stl: expected an STL file of at least 84 bytes, got 42");
   EXPECT_EQ(errorOf([&] { readMesh(letter, "m.ply"); }),
             "m.ply: line 1: expected \"ply\", got \"Dear all,\"");
 }

@@ -12,7 +12,7 @@ LevelResult measured(double iou, bool refined = true) {
   match->report.width = match->report.height = 100;
   match->report.originalPixels = 1000;
   match->report.silhouetteIou = iou;
-  match->report.contourPx = 10 * (1 - iou);
+  match->report.contourPx = 9 * (1 - iou);
   match->report.comparedPixels = 100;
   match->report.triangleAgreement = iou > 0.5 ? 1 : 0;
   LevelResult result;
