@@ -17,6 +17,7 @@
 #include "app/state_folder.h"
 #include "app/unsaved_bytes.h"
 #include "level/level_json.h"
+#include "long_lesson.h"
 #include "recovery_fixture.h"
 #include "shapes.h"
 #include "small_disk.h"
@@ -104,10 +105,7 @@ TEST_F(Autosaves, LeaveTheTextAndTheDiskToAnotherThread) {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
   };
   Level level = numbered(1);
-  level.text.edit([](LevelText& text) {
-    text.lesson = R"({"id": "long", "steps": [{"id": "a", "title": "A", "why": ")" +
-                  std::string(1'000'000, 'x') + R"(", "do": ""}]})";
-  });
+  level.text.edit([](LevelText& text) { text.lesson = longLesson(); });
   double start = threadSeconds();
   formatLevel(level);
   const double formatting = threadSeconds() - start;

@@ -11,6 +11,7 @@
 #include "cli/program.h"
 #include "edit/session.h"
 #include "level/level_json.h"
+#include "long_lesson.h"
 
 namespace anamorph {
 namespace {
@@ -62,10 +63,7 @@ TEST(HistoryBytes, OfSixtyDragsAreThoseOfOneLessonAndNoMesh) {
   }
   writeText(folder / "mesh.obj", mesh);
   Level level = withLesson(0);
-  level.text.edit([](LevelText& text) {
-    text.lesson = R"({"id": "long", "steps": [{"id": "a", "title": "A", "why": ")" +
-                  std::string(mebibyte - 200, 'x') + R"(", "do": ""}]})";
-  });
+  level.text.edit([](LevelText& text) { text.lesson = testing::longLesson(); });
   level.original.shape = FileShape{"mesh.obj"};
   saveLevel(folder / "level.json", level);
   Session session;
@@ -76,7 +74,7 @@ TEST(HistoryBytes, OfSixtyDragsAreThoseOfOneLessonAndNoMesh) {
     }
     session.finishChange();
   }
-  EXPECT_GE(session.historyBytes(), mebibyte);
+  EXPECT_GE(session.historyBytes(), testing::longLesson().size());
   EXPECT_LT(session.historyBytes(), mebibyte + 60 * 10000);
 }
 

@@ -91,7 +91,9 @@ TEST(FittedToMirror, DoesNotSpoilWhatIsRight) {
   level.original.shape = BoxShape{{2, 2, 2}, 4};
   level.sculpture.tolerancePixels = 1;
   const auto mesh = placedMesh(level, makeBox({2, 2, 2}, 4));
-  ASSERT_TRUE(coarseView(level, mesh, 256).clear());
+  const CoarseView before = coarseView(level, mesh, 256);
+  ASSERT_TRUE(before.clear()) << before.sound << ", hidden " << before.hiddenShare << ", missed "
+                              << before.missedShare;
   const auto made = originalFittedToMirror(level, mesh);
   ASSERT_TRUE(made);
   EXPECT_TRUE(coarseView(*made, placedMesh(*made, makeBox({2, 2, 2}, 4)), 512).clear());
