@@ -83,7 +83,9 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   const std::string message = !editor.message.empty()         ? editor.message
                               : !result.warnings.empty()      ? result.warnings.front()
                               : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
-                                                              : std::string();
+                              : result.match && result.refined
+                                  ? findMatchProblem(result.match->report).value_or("")
+                                  : std::string();
   const std::string right = figures(ui, result);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;
