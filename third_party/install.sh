@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build libglm-dev libfmt-dev nlohmann-json3-dev libcli1
   # Viewing sheets, with their font
   libcairo2-dev fonts-dejavu-core pkg-config
   # The window: OpenGL by glad and EGL, GLFW, Dear ImGui, a font with the signs of geometry
-  libglfw3-dev libimgui-dev python3-glad libegl-dev libgl-dev libgl1-mesa-dri libegl1 libfontconfig-dev fontconfig)
+  libglfw3-dev libimgui-dev python3-glad libegl-dev libgl-dev libopengl-dev libgl1-mesa-dri libegl1 libfontconfig-dev fontconfig)
 optional=()  # installed where the system has them; what uses them is left out elsewhere
 for argument in "$@"; do
   case "$argument" in
