@@ -42,7 +42,7 @@ class ExportWindow : public GuiTest {
     frames(1);
   }
   void wait() {
-    for (int i = 0; i < 3000 && ui().exporting.running; ++i) {
+    for (int i = 0; i < 40000 && ui().exporting.running; ++i) {
       frames(1);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

@@ -39,7 +39,7 @@ class RenderWindow : public GuiTest {
   }
   void wait() {
     const auto busy = [&] { return ui().render.running || !ui().render.saving.empty(); };
-    for (int i = 0; i < 3000 && busy(); ++i) {
+    for (int i = 0; i < 40000 && busy(); ++i) {
       frames(1);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
