@@ -5,13 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <thread>
 #include <utility>
 
 #include "base/error.h"
+#include "base/system_call.h"
 
 namespace anamorph {
 namespace {
@@ -29,7 +28,7 @@ bool leadsTo(const std::filesystem::path& path, int descriptor) {
 FileLock::FileLock(const std::filesystem::path& path) : path_(path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (file < 0) {
-    problem_ = std::strerror(errno);
+    problem_ = systemReason();
     return;
   }
   if (::flock(file, LOCK_EX | LOCK_NB) == 0 && leadsTo(path, file)) {

@@ -43,12 +43,6 @@ std::string absolutePath(const fs::path& path) {
   return (failure ? path : absolute).string();  // there may be no working folder any more
 }
 
-std::optional<FileTime> timeOf(const fs::path& file) {
-  std::error_code failure;
-  const auto time = fs::last_write_time(file, failure);
-  return failure ? std::nullopt : std::optional(time);
-}
-
 // A level's file, which may be on a disk that does not answer.
 struct LevelNow {
   std::optional<FileTime> time;

@@ -14,12 +14,11 @@
 #include <vector>
 
 #include "app/file_lock.h"
+#include "edit/session.h"
 #include "level/level.h"
 #include "panels/recovery_dialog.h"
 
 namespace anamorph {
-
-using FileTime = std::filesystem::file_time_type;
 
 /// A file in the state folder, and the lock by which nobody else offers it meanwhile.
 struct RecoveryFile {

@@ -143,10 +143,4 @@ ShotLayers Shot::takeLayers() {
   return std::move(layers_);
 }
 
-Bitmap takeShot(Gui& gui, const ShotRequest& request) {
-  Shot shot(gui, request);
-  while (!shot.complete()) shot.draw(Piecework::noHurry);
-  return compose(shot.takeLayers());
-}
-
 }  // namespace anamorph

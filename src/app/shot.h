@@ -42,7 +42,4 @@ class Shot {
   Viewport viewport_;
 };
 
-/// The GUI as it is, in its final quality, all at once. The window goes on as before with its next frame.
-Bitmap takeShot(Gui& gui, const ShotRequest& request);
-
 }  // namespace anamorph

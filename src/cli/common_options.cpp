@@ -2,16 +2,15 @@
 
 #include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/system_call.h"
 #include "cli/print.h"
 
 namespace anamorph {
@@ -79,7 +78,7 @@ void sayWarnings(const CommonOptions& options, const std::vector<std::string>& w
 }
 
 void flushResults() {
-  if (std::fflush(stdout) != 0) throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
+  if (std::fflush(stdout) != 0) throw Error("cannot write: " + systemReason(), "stdout");
 }
 
 double secondsNow() {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "anamorphosis/contour.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/print.h"
@@ -22,8 +21,7 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
   };
   line("match", matchGradeName(gradeOf(report)));
   if (const auto problem = findMatchProblem(report)) line("", *problem);
-  line("outline", report.contourPx < farthestContour ? fmt::format("{:.2f} px", report.contourPx)
-                                                     : fmt::format("{:g} px or more", farthestContour));
+  line("outline", contourText(report.contourPx));
   line("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou));
   line("correspondence", report.comparedPixels > 0
                              ? fmt::format("mean {:.3f} px, p99 {:.3f} px, max {:.3f} px", report.meanPx,

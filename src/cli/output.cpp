@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -35,8 +33,7 @@ fs::path targetOf(const std::string& name) {
 
 fs::path makeTemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
-  if (!::mkdtemp(name.data()))
-    throw Error("cannot make a folder: " + std::string(std::strerror(errno)), name);
+  if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
   return name;
 }
 

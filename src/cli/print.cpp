@@ -1,10 +1,9 @@
 #include "cli/print.h"
 
-#include <cerrno>
-#include <cstring>
 #include <string>
 
 #include "base/error.h"
+#include "base/system_call.h"
 #include "base/text.h"
 
 namespace anamorph {
@@ -15,7 +14,7 @@ void printLine(std::FILE* to, std::string_view text) {
 
 void printText(std::FILE* to, std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), to) == text.size();
-  if (!written && to == stdout) throw Error("cannot write: " + std::string(std::strerror(errno)), "stdout");
+  if (!written && to == stdout) throw Error("cannot write: " + systemReason(), "stdout");
 }
 
 }  // namespace anamorph

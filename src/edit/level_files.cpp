@@ -26,13 +26,6 @@ bool isInside(const FileShape& mesh) {
   return !mesh.obj->empty();
 }
 
-// The mesh that is in a file of its own, if the original is one.
-template <typename AnyLevel>
-auto findMeshFile(AnyLevel& level) {
-  auto* mesh = std::get_if<FileShape>(&level.original.shape);
-  return mesh && !isInside(*mesh) ? mesh : nullptr;
-}
-
 // Whether there is a way from the folder to the file that does not go through the root.
 bool haveFolderInCommon(const fs::path& file, const fs::path& folder) {
   const auto common = std::mismatch(file.begin(), file.end(), folder.begin(), folder.end()).first;
@@ -65,19 +58,17 @@ std::string meshNameFor(const fs::path& mesh, const fs::path& levelPath) {
 }
 
 Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
-  FileShape* mesh = findMeshFile(level);
-  const bool stays =
-      !mesh || mesh->path.empty() || (from.empty() == to.empty() && folderOf(from) == folderOf(to));
+  auto* mesh = std::get_if<FileShape>(&level.original.shape);
+  const bool stays = !mesh || isInside(*mesh) || mesh->path.empty() ||
+                     (from.empty() == to.empty() && folderOf(from) == folderOf(to));
   if (!stays) mesh->path = meshNameFor(modelPath(*mesh, from), to);
   return level;
 }
 
 std::optional<fs::path> findMissingMesh(const Level& level, const fs::path& levelPath) {
-  const FileShape* mesh = findMeshFile(level);
-  if (!mesh) return std::nullopt;
-  const fs::path file = modelPath(*mesh, levelPath);
+  auto file = meshFileOf(level, levelPath);
   std::error_code failure;
-  return fs::exists(file, failure) ? std::nullopt : std::optional(file);
+  return file && !fs::exists(*file, failure) ? file : std::nullopt;
 }
 
 std::string levelAsText(const Level& level, const fs::path& path) {

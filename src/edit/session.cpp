@@ -23,15 +23,14 @@ void fillScene(Level& level) {
   level.camera.target = level.original.placement.position;
 }
 
-std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& path) {
+}  // namespace
+
+std::optional<FileTime> timeOf(const std::filesystem::path& path) {
   std::error_code failure;
   const bool isFile = std::filesystem::is_regular_file(path, failure);
-  const auto time =
-      isFile ? std::filesystem::last_write_time(path, failure) : std::filesystem::file_time_type();
+  const auto time = isFile ? std::filesystem::last_write_time(path, failure) : FileTime();
   return !isFile || failure ? std::nullopt : std::optional(time);
 }
-
-}  // namespace
 
 LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token) {
   const auto written = timeOf(path);

@@ -23,11 +23,16 @@
 
 namespace anamorph {
 
+using FileTime = std::filesystem::file_time_type;
+
+/// When a file was written last; nothing where there is none.
+std::optional<FileTime> timeOf(const std::filesystem::path& path);
+
 /// A level's file as it was read.
 struct LevelFile {
   std::filesystem::path path;
   LoadedLevel loaded;
-  std::optional<std::filesystem::file_time_type> written;  ///< when
+  std::optional<FileTime> written;  ///< when
 };
 
 /// Reads a level or a scene of the thesis. Throws Error, and Cancelled as readFile does.
@@ -46,7 +51,7 @@ class Session {
   /// cannot be read any more), and one step to `level`. `known`: the fileTime() of that session; a file that was
   /// written since, or cannot be read, counts as changed by another program.
   void recover(const std::filesystem::path& path, std::optional<LevelFile> file, Level level,
-               std::optional<std::filesystem::file_time_type> known = std::nullopt);
+               std::optional<FileTime> known = std::nullopt);
   /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
   /// that goes on is finished first. Returns what could not be kept of the file that was replaced. Throws Error and
   /// leaves everything as it was, the file too.
@@ -63,7 +68,7 @@ class Session {
   /// that is gone has not been changed.
   bool isFileChanged() const;
   /// When the file that was opened or saved last was written; nothing without a file.
-  std::optional<std::filesystem::file_time_type> fileTime() const { return written_; }
+  std::optional<FileTime> fileTime() const { return written_; }
   /// Sentences about the file that was opened.
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Grows with every level opened, so that others notice.
@@ -104,7 +109,7 @@ class Session {
 
   std::filesystem::path path_;
   bool isInstalled_ = false, isThesisScene_ = false;
-  std::optional<std::filesystem::file_time_type> written_;  // the file, when it was opened or saved last
+  std::optional<FileTime> written_;  // the file, when it was opened or saved last
   Level level_, saved_;
   std::vector<std::string> warnings_;
   int generation_ = 0, undoCount_ = 0;

@@ -69,37 +69,45 @@ std::string figure(const Image& image, const std::string& name, const std::strin
       tr(name), image.width, image.height, encodeBase64(encodePng(toBitmap(image))), tr(name), caption);
 }
 
-std::string row(const char* name, const std::string& value, const char* good, const char* meaning) {
+std::string row(const char* name, const std::string& value, const std::string& good, const char* meaning) {
   return fmt::format(
       "<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n", tr(name),
       value, good, tr(meaning));
 }
 
+// What a figure may be at most; of what is never negative 0 is all there is.
+std::string atMost(double bound, const char* unit = "") {
+  return fmt::format("{}{:g}{}", bound > 0 ? "&le; " : "", bound, unit);
+}
+
 std::string figuresTable(const MatchReport& report) {
   const bool compared = report.comparedPixels > 0;
+  const MatchBounds& best = boundsOf(MatchGrade::excellent);
   std::string text = fmt::format("<table>\n<tr><th>{}</th><th>{}</th><th>{}</th><th>{}</th></tr>\n",
                                  tr("figure"), tr("here"), tr("excellent"), tr("what it says"));
-  text += row("outline, 99 %", fmt::format("{:.2f} px", report.contourPx), "&le; 0.5 px",
+  text += row("outline, 99 %", contourText(report.contourPx), atMost(best.contourPx, " px"),
               "how far the outlines of both pictures are apart; 99 of 100 points of them are nearer");
   text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "",
               "pixels that both pictures show, of those that either shows: 1 when the outlines are the same");
   text +=
       row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : std::string(tr("none")),
-          "&le; 0.5 px", "how far a reflected point is from where it should be; 99 of 100 points are nearer");
+          atMost(best.p99Px, " px"),
+          "how far a reflected point is from where it should be; 99 of 100 points are nearer");
   text += row("correspondence, mean",
               compared ? fmt::format("{:.3f} px", report.meanPx) : std::string(tr("none")), "",
               "the same, on average");
   text += row("correspondence, worst",
               compared ? fmt::format("{:.3f} px", report.maxPx) : std::string(tr("none")), "",
               "the same, at the worst pixel");
-  text += row("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement), "&ge; 0.995",
+  text += row("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement),
+              fmt::format("&ge; {:g}", best.triangleAgreement),
               "share of pixels in which both pictures show the same part of the original, front and back not "
               "swapped");
-  text += row("hidden share", fmt::format("{:.5f}", report.hiddenShare), "0",
+  text += row("hidden share", fmt::format("{:.5f}", report.hiddenShare), atMost(best.hiddenShare),
               "of the original's pixels: the sculpture itself, the floor or a base plate stands in the way");
-  text += row("missed share", fmt::format("{:.5f}", report.missedShare), "0",
+  text += row("missed share", fmt::format("{:.5f}", report.missedShare), atMost(best.missedShare),
               "of the original's pixels: there is no mirror");
-  text += row("extra share", fmt::format("{:.5f}", report.extraShare), "&le; 0.001",
+  text += row("extra share", fmt::format("{:.5f}", report.extraShare), atMost(best.extraShare),
               "pixels that show the sculpture beside the original, over the original's pixels");
   return text + "</table>\n";
 }

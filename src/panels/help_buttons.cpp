@@ -39,6 +39,18 @@ EditResult fit(const Level& level, const std::shared_ptr<const Mesh>& placed, co
   return {fitted, trFormat("The original is {:.3g} times as large now.", factor)};
 }
 
+// What a button finds for a level and its placed original.
+using Search = EditResult (*)(const Level&, const std::shared_ptr<const Mesh>&, const Progress&);
+
+void startSearch(Editor& editor, const char* name, Search search) {
+  editor.session.finishChange();
+  editor.job.start(
+      editor.session, name,
+      [search, mesh = editor.updater.result().original.mesh](const Level& level, const Progress& progress) {
+        return search(level, mesh, progress);
+      });
+}
+
 // How far the job is, and a way to stop it; whether it runs.
 bool jobProgress(Editor& editor) {
   if (!editor.job.busy()) return false;
@@ -53,18 +65,14 @@ bool jobProgress(Editor& editor) {
 }  // namespace
 
 void startFit(Editor& editor) {
-  editor.session.finishChange();
-  editor.job.start(editor.session, tr("Fitting the original"),
-                   [mesh = editor.updater.result().original.mesh](
-                       const Level& level, const Progress& progress) { return fit(level, mesh, progress); });
+  startSearch(editor, tr("Fitting the original"), fit);
 }
 
 void fitButton(Editor& editor) {
   if (jobProgress(editor)) return;
   if (wideButton("Fit to the mirror",
                  "As large as it can be about its middle while all of it is seen in the mirror and nothing "
-                 "is hidden, less "
-                 "2 %.",
+                 "is hidden, less 2 %.",
                  editor.updater.result().original.mesh != nullptr)) {
     startFit(editor);
   }
@@ -82,10 +90,7 @@ void behindButton(Editor& editor) {
 }
 
 void startLift(Editor& editor) {
-  editor.session.finishChange();
-  editor.job.start(editor.session, tr("Lifting the eye"),
-                   [mesh = editor.updater.result().original.mesh](
-                       const Level& level, const Progress& progress) { return lift(level, mesh, progress); });
+  startSearch(editor, tr("Lifting the eye"), lift);
 }
 
 void liftButton(Editor& editor) {

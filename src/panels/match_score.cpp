@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
-#include "anamorphosis/contour.h"
 #include "base/language.h"
 #include "panels/style.h"
 
@@ -18,10 +16,6 @@ std::string percent(double fraction, int digits = 2) {
   const double unit = std::pow(10, -digits);
   const double shown = fraction < 1 ? std::min(100 * fraction, 100 - unit) : 100;
   return fmt::format("{:.{}f} %", shown, digits);
-}
-
-std::string pixels(double length, double most = std::numeric_limits<double>::infinity()) {
-  return length < most ? fmt::format("{:.2f} px", length) : fmt::format("> {:g} px", most);
 }
 
 MatchScore::Tone toneOf(MatchGrade grade) {
@@ -71,9 +65,9 @@ MatchScore matchScore(const LevelResult& result) {
   score.parts = {
       {"Silhouette", percent(report.silhouetteIou), report.contourPx <= good.contourPx,
        "Pixels that original and reflection both show, of those that either shows (IoU)."},
-      {"Outline", pixels(report.contourPx, farthestContour), report.contourPx <= good.contourPx,
+      {"Outline", contourText(report.contourPx), report.contourPx <= good.contourPx,
        "How far the outlines of original and reflection are apart; 99 of 100 points of them are nearer."},
-      {"Point error", report.comparedPixels > 0 ? pixels(report.p99Px) : "-",
+      {"Point error", report.comparedPixels > 0 ? fmt::format("{:.2f} px", report.p99Px) : "-",
        report.comparedPixels > 0 && report.p99Px <= good.p99Px,
        "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
       {"Hidden", fmt::format("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,

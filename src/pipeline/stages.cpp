@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "anamorphosis/contour.h"
 #include "base/language.h"
 
 namespace anamorph {
@@ -184,6 +185,11 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
   const std::shared_ptr<const Mesh> mesh(shared,
                                          &shared->mesh);  // the same object, kept alive by the sculpture
   return {shared, prepare(mesh, &shared->original, threads)};
+}
+
+std::string contourText(double pixels) {
+  if (pixels < farthestContour) return fmt::format("{:.2f} px", pixels);
+  return trFormat("{:g} px or more", farthestContour);
 }
 
 std::optional<std::string> findMatchProblem(const MatchReport& report) {

@@ -70,6 +70,9 @@ PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
 /// curved sculpture keeps them.
 PreparedSculpture prepareSculpture(Sculpture sculpture, int threads = 1);
 
+/// "0.25 px"; farthestContour is "16 px or more". In the chosen language.
+std::string contourText(double pixels);
+
 /// Why a match has no grade, and what to do about it; nothing when it has.
 std::optional<std::string> findMatchProblem(const MatchReport& report);
 

@@ -42,8 +42,7 @@ Floor floorOf(const Ground& ground, const SceneMeasure& measure) {
 Box boxOf(const SceneInput& input) {
   Box box;
   for (const MeshSurface& surface : input.surfaces) extendIfFinite(box, surface.box);
-  if (!input.optic) return box;
-  for (const OpticPart& part : input.optic->optic.parts) extendIfFinite(box, boxOf(part.shape));
+  if (input.optic) extendIfFinite(box, boxOf(input.optic->optic));
   return box;
 }
 

@@ -34,15 +34,32 @@ void raiseAs(int signal) {
   ::raise(signal);
 }
 
-class ACrash : public ::testing::TestWithParam<int> {};
-
-TEST_P(ACrash, LeavesWhatWasChangedLastBeforeAnAutosaveIsDue) {
-  const TemporaryFolder temporary;
-  const fs::path folder = temporary / "state";
-  Session session;
-  session.open(std::string(ANAMORPH_LEVELS) + "/1-plane.json");
+// A process that ends in `work`. Returns how, as waitpid() has it.
+template <typename Work>
+int endIn(const Work& work) {
   const pid_t child = ::fork();
   if (child == 0) {
+    work();
+    std::_Exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+class CrashTest : public ::testing::Test {
+ protected:
+  CrashTest() { session.open(std::string(ANAMORPH_LEVELS) + "/1-plane.json"); }
+
+  TemporaryFolder temporary;
+  fs::path folder = temporary / "state";
+  Session session;
+};
+
+class ACrash : public CrashTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(ACrash, LeavesWhatWasChangedLastBeforeAnAutosaveIsDue) {
+  const int status = endIn([&] {
     ::signal(GetParam(), SIG_DFL);  // instead of a sanitizer's
     installCrashHandler();
     Autosave autosave(folder);
@@ -55,10 +72,7 @@ TEST_P(ACrash, LeavesWhatWasChangedLastBeforeAnAutosaveIsDue) {
     autosave.update(session, {}, 100.1);
     autosave.finish(20);
     raiseAs(GetParam());
-    std::_Exit(0);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
+  });
   ASSERT_TRUE(WIFSIGNALED(status)) << status;
   EXPECT_EQ(WTERMSIG(status), GetParam()) << "it ends as without the handler";
   const std::vector<Rescued> rescued = findRescued(folder);
@@ -67,16 +81,14 @@ TEST_P(ACrash, LeavesWhatWasChangedLastBeforeAnAutosaveIsDue) {
   EXPECT_EQ(rescued[0].level.sculpture.depthScale, 0.75);
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, ACrash, ::testing::Values(SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL),
+INSTANTIATE_TEST_SUITE_P(Signals, ACrash,
+                         ::testing::Values(SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGTERM, SIGHUP, SIGINT),
                          [](const auto& signal) { return std::string(::sigabbrev_np(signal.param)); });
 
-TEST(ACrashDuringADrag, LeavesAMomentBefore) {
-  const TemporaryFolder temporary;
-  const fs::path folder = temporary / "state";
-  Session session;
-  session.open(std::string(ANAMORPH_LEVELS) + "/1-plane.json");
-  const pid_t child = ::fork();
-  if (child == 0) {
+using ACrashDuringADrag = CrashTest;
+
+TEST_F(ACrashDuringADrag, LeavesAMomentBefore) {
+  endIn([&] {
     installCrashHandler();
     Autosave autosave(folder);
     for (int frame = 0; frame <= 100; ++frame) {
@@ -87,12 +99,22 @@ TEST(ACrashDuringADrag, LeavesAMomentBefore) {
       autosave.finish(20);
     }
     std::abort();
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
+  });
   const std::vector<Rescued> rescued = findRescued(folder);
   ASSERT_EQ(rescued.size(), 1u);
   EXPECT_GE(rescued[0].level.sculpture.depthScale, 0.549) << "a second before, not the beginning";
+}
+
+// What was not to end the program (nohup) does not.
+TEST_F(CrashTest, IgnoredSignalsStayIgnored) {
+  const int status = endIn([&] {
+    ::signal(SIGHUP, SIG_IGN);
+    installCrashHandler();
+    ::raise(SIGHUP);
+    std::_Exit(7);
+  });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
 }  // namespace

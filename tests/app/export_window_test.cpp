@@ -21,15 +21,19 @@ namespace {
 
 using namespace anamorph::testing;
 
+// All of a picture of the window at once.
+Bitmap takeShot(Gui& gui, const ShotRequest& request) {
+  Shot shot(gui, request);
+  while (!shot.complete()) shot.draw(Piecework::noHurry);
+  return compose(shot.takeLayers());
+}
+
 class ExportWindow : public GuiTest {
  protected:
   void SetUp() override {
     GuiTest::SetUp();
     if (!headless) return;
-    gui().open(levelPath("1-plane"));
-    Level level = editor().session.level();
-    std::get<BoxShape>(level.original.shape).segments = 4;
-    editor().session.edit(level);
+    openSmallLevel();
     perform(Action::exportFiles, editor(), ui());
     frames(2);
   }
@@ -42,11 +46,7 @@ class ExportWindow : public GuiTest {
     frames(1);
   }
   void wait() {
-    for (int i = 0; i < 40000 && ui().exporting.running; ++i) {
-      frames(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    ASSERT_FALSE(ui().exporting.running);
+    framesWhile([&] { return ui().exporting.running; });
     frames(2);
   }
 
@@ -81,7 +81,8 @@ TEST_F(ExportWindow, WaitsUntilADragHasRefined) {
   wait();
   ASSERT_TRUE(std::filesystem::exists(folder / "s.ply"));
   const LevelResult& result = editor().updater.result();
-  EXPECT_EQ(loadMesh(folder / "s.ply").mesh.triangles.size(), result.sculpture.sculpture->mesh.triangles.size());
+  EXPECT_EQ(loadMesh(folder / "s.ply").mesh.triangles.size(),
+            result.sculpture.sculpture->mesh.triangles.size());
 }
 
 TEST_F(ExportWindow, FaultsAndCancellingLeaveNothing) {

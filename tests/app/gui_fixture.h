@@ -1,8 +1,10 @@
 // A GUI without a window for the tests of src/app. Machines without OpenGL 3.3 cannot run them.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +55,23 @@ class GuiTest : public ::testing::Test {
   UiState& ui() { return headless->gui().ui(); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) headless->frame(1.0 / 60, &draft);
+  }
+
+  /// The plane mirror with a box that is soon computed.
+  void openSmallLevel() {
+    gui().open(levelPath("1-plane"));
+    Level level = editor().session.level();
+    std::get<BoxShape>(level.original.shape).segments = 4;
+    editor().session.edit(level);
+  }
+  /// Frames as long as `busy` says so; for what other threads make. The limit only ends a hang.
+  template <typename Busy>
+  void framesWhile(const Busy& busy) {
+    for (int i = 0; i < 40000 && busy(); ++i) {
+      frames(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ASSERT_FALSE(busy());
   }
 
   static constexpr ViewQuality draft{0.1, 1, 1};

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -22,28 +21,17 @@ class RenderWindow : public GuiTest {
   void SetUp() override {
     GuiTest::SetUp();
     if (!headless) return;
-    gui().open(levelPath("1-plane"));
-    Level level = editor().session.level();
-    std::get<BoxShape>(level.original.shape).segments = 4;
-    editor().session.edit(level);
+    openSmallLevel();
     ui().render.open = true;
     ui().render.longerSide = 64;
-    for (int i = 0; i < 3000 && !editor().updater.result().original.mesh; ++i) {
-      frames(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
+    framesWhile([&] { return !editor().updater.result().original.mesh; });
     ui().requests.startRender = true;
     frames(1);
     wait();
     ASSERT_NE(ui().textures.render.id, 0u);
   }
   void wait() {
-    const auto busy = [&] { return ui().render.running || !ui().render.saving.empty(); };
-    for (int i = 0; i < 40000 && busy(); ++i) {
-      frames(1);
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    ASSERT_FALSE(busy());
+    framesWhile([&] { return ui().render.running || !ui().render.saving.empty(); });
     frames(1);
   }
   void save(const std::string& name) { ui().requests.saveRender = folder / name; }
