@@ -94,7 +94,7 @@ void benchFiles(Gui& gui, FrameRecorder& recorder, const fs::path& folder) {
     recorder.rest();
   }
   recorder.begin("save");
-  recorder.frame([&] { gui.editor().session.saveTo(folder / "saved.json"); });
+  recorder.frame([&] { gui.editor().saving.start(gui.editor().session, folder / "saved.json"); });
   recorder.rest();
   recorder.begin("export");
   recorder.frame([&] {

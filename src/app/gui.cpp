@@ -274,14 +274,15 @@ void Gui::drawLists(float alpha) const {
 
 bool Gui::unfinished() const {
   return owesFrame_ || isMoving(*editor_) || !viewComplete() || editor_->updater.busy() ||
-         editor_->job.busy() || editor_->opening.busy() || editor_->morph.busy() || ui_.render.running ||
-         !ui_.render.saving.empty() || !render_.complete() || ui_.exporting.running || ui_.shot.running ||
-         ui_.requests.shot;
+         editor_->job.busy() || editor_->opening.busy() || editor_->saving.busy() || editor_->morph.busy() ||
+         ui_.render.running || !ui_.render.saving.empty() || !render_.complete() || ui_.exporting.running ||
+         ui_.shot.running || ui_.requests.shot;
 }
 
 std::vector<std::filesystem::path> Gui::unwritten(double seconds) {
   std::vector<std::filesystem::path> files = renderJob_->unwritten(seconds);
   if (auto file = exportJob_->unwritten(seconds)) files.push_back(std::move(*file));
+  if (auto file = editor_->saving.unwritten(seconds)) files.push_back(std::move(*file));
   return files;
 }
 

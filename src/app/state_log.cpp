@@ -108,6 +108,7 @@ std::string stateLine(Gui& gui, std::size_t frame, const InputCounts& seen, bool
                          .add("title", windowTitle(editor.session))
                          .add("job", editor.job.busy())
                          .add("opening", editor.opening.busy())
+                         .add("saving", editor.saving.busy())
                          .add("dialog", std::string(openDialog(ui)))
                          .add("folder", ui.browser.open ? ui.browser.folder.string() : "")
                          .add("typed", ui.browser.text)

@@ -143,9 +143,12 @@ class MainWindow {
       waitForWork();
       int width = 0, height = 0;
       glfwGetFramebufferSize(handle_.get(), &width, &height);
-      if (width <= 0 || height <= 0 || glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED)) {
-        // The question about unsaved changes has to be seen.
-        if (gui_->ui().requests.quit) glfwRestoreWindow(handle_.get());
+      const bool iconified = glfwGetWindowAttrib(handle_.get(), GLFW_ICONIFIED) != 0;
+      // The question about unsaved changes has to be seen.
+      if (iconified && gui_->ui().requests.quit) glfwRestoreWindow(handle_.get());
+      // Files that are being made go on, and so does the wish to quit that waits for them.
+      const bool atWork = gui_->unfinished() || gui_->ui().finish;
+      if (width <= 0 || height <= 0 || (iconified && !atWork)) {
         waitUnseen();
         continue;
       }

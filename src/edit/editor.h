@@ -20,6 +20,7 @@
 #include "edit/open_job.h"
 #include "edit/pick.h"
 #include "edit/pose_flight.h"
+#include "edit/save_job.h"
 #include "edit/selection.h"
 #include "edit/session.h"
 #include "edit/view_pose.h"
@@ -37,12 +38,13 @@ struct PreviewSettings {
 
 struct Editor {
   explicit Editor(std::function<void()> wake = {}, int threads = 0)
-      : updater(wake, threads), job(wake), opening(wake), morph(wake) {}
+      : updater(wake, threads), job(wake), opening(wake), saving(wake), morph(wake) {}
 
   Session session;
   LiveUpdater updater;
   EditJob job;      ///< an edit that is made in the background
   OpenJob opening;  ///< the level that is to come in this one's place
+  SaveJob saving;   ///< the level on its way to its file
 
   DisplaySettings display;
   RaySettings rays;

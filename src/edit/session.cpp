@@ -32,6 +32,11 @@ std::optional<FileTime> timeOf(const std::filesystem::path& path) {
   return !isFile || failure ? std::nullopt : std::optional(time);
 }
 
+bool isWrittenElsewhere(const std::filesystem::path& path, std::optional<FileTime> known) {
+  const auto now = timeOf(path);
+  return now && known && *now != *known;
+}
+
 LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token) {
   const auto written = timeOf(path);
   return {path, loadLevel(path, token), written};
@@ -81,21 +86,27 @@ void Session::recover(const std::filesystem::path& path, std::optional<LevelFile
 }
 
 std::vector<std::string> Session::saveTo(const std::filesystem::path& path) {
-  finishChange();
-  const auto moved = [&](const Level& level) { return withMeshFrom(level, path_, path); };
-  Level level = moved(level_);
-  std::vector<std::string> lost = saveLevel(path, level);
-  for (Level& step : undo_) step = moved(step);
-  for (Level& step : redo_) step = moved(step);
-  level_ = saved_ = std::move(level);
-  setPath(path);
-  written_ = timeOf(path);
+  const SavedLevel saved = prepareSave(path);
+  std::vector<std::string> lost = saveLevel(path, saved.level);
+  finishSave(saved, timeOf(path));
   return lost;
 }
 
-bool Session::isFileChanged() const {
-  const auto now = timeOf(path_);
-  return now && written_ && *now != *written_;
+SavedLevel Session::prepareSave(const std::filesystem::path& path) {
+  finishChange();
+  return {path, withMeshFrom(level_, path_, path), generation_};
+}
+
+void Session::finishSave(const SavedLevel& saved, std::optional<FileTime> written) {
+  if (saved.generation != generation_) return;
+  const auto move = [&](Level& level) { level = withMeshFrom(std::move(level), path_, saved.path); };
+  for (Level& step : undo_) move(step);
+  for (Level& step : redo_) move(step);
+  if (before_) move(*before_);
+  move(level_);
+  saved_ = saved.level;
+  setPath(saved.path);
+  written_ = written;
 }
 
 void Session::change(Level level) {

@@ -28,6 +28,10 @@ using FileTime = std::filesystem::file_time_type;
 /// When a file was written last; nothing where there is none.
 std::optional<FileTime> timeOf(const std::filesystem::path& path);
 
+/// Whether the file was written at another time than it is `known` to be: another program did it. A file that is gone has
+/// not been.
+bool isWrittenElsewhere(const std::filesystem::path& path, std::optional<FileTime> known);
+
 /// A level's file as it was read.
 struct LevelFile {
   std::filesystem::path path;
@@ -37,6 +41,13 @@ struct LevelFile {
 
 /// Reads a level or a scene of the thesis. Throws Error, and Cancelled as readFile does.
 LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token = nullptr);
+
+/// A level as it goes into a file.
+struct SavedLevel {
+  std::filesystem::path path;
+  Level level;         ///< finds its mesh from there
+  int generation = 0;  ///< of the session that it is of
+};
 
 class Session {
  public:
@@ -56,6 +67,11 @@ class Session {
   /// that goes on is finished first. Returns what could not be kept of the file that was replaced. Throws Error and
   /// leaves everything as it was, the file too.
   std::vector<std::string> saveTo(const std::filesystem::path& path);
+  /// saveTo() in two parts, for who writes the file in between: what is to be written, after the end of a change that goes
+  /// on, and what follows when it is. What was edited meanwhile stays, and is not saved; when another level has been
+  /// opened meanwhile, nothing follows.
+  SavedLevel prepareSave(const std::filesystem::path& path);
+  void finishSave(const SavedLevel& saved, std::optional<FileTime> written);
 
   const Level& level() const { return level_; }
   /// Empty for a new level.
@@ -64,9 +80,6 @@ class Session {
   bool isThesisScene() const { return isThesisScene_; }
   /// Whether it is one of the program's own levels, which are not written to.
   bool isInstalled() const { return isInstalled_; }
-  /// Whether the file on disk is another one than was opened or saved last: another program wrote it. A file
-  /// that is gone has not been changed.
-  bool isFileChanged() const;
   /// When the file that was opened or saved last was written; nothing without a file.
   std::optional<FileTime> fileTime() const { return written_; }
   /// Sentences about the file that was opened.

@@ -30,8 +30,8 @@ constexpr Dialog dialogs[] = {
        if (drawUnsavedDialog(editor, ui.unsaved, ui.dialogKeys, ui)) saveCurrent(editor, ui);
      }},
     {"finish", [](const UiState& ui) { return ui.finish.has_value(); },
-     [](Editor&, UiState& ui) {
-       drawFinishDialog(ui.finish, filesBeingWritten(ui), ui.exporting.fraction, ui.dialogKeys, ui);
+     [](Editor& editor, UiState& ui) {
+       drawFinishDialog(ui.finish, filesBeingWritten(editor, ui), ui.exporting.fraction, ui.dialogKeys, ui);
      }},
     {"mesh", [](const UiState& ui) { return ui.meshQuestion.has_value(); },
      [](Editor& editor, UiState& ui) {

@@ -53,15 +53,35 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
   return usualFolder(ui.browser) / name;
 }
 
-void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
-  try {
-    const std::vector<std::string> lost = editor.session.saveTo(path);
-    rememberLevel(ui, path);
-    editor.message = withRemarks(trFormat("Saved: {}", path.string()), lost);
-  } catch (const Error& error) {
+// Says what came of it, when something has.
+void settleSave(Editor& editor, UiState& ui, double patienceSeconds) {
+  const std::optional<SaveOutcome> outcome = editor.saving.take(editor.session, patienceSeconds);
+  if (!outcome) return;
+  if (outcome->changedElsewhere) {
+    browseFiles(ui.browser, FilePurpose::saveLevel, outcome->path);
+    ui.browser.problem = trFormat(
+        "{} has been changed by another program since it was opened or saved here. Replace it, or "
+        "save under another name.",
+        outcome->path.filename().string());
+  } else if (!outcome->failure.empty()) {
     ui.unsaved.reset();
-    ui.notice = Notice{"The level could not be saved", error.what()};
+    ui.finish.reset();
+    ui.notice = Notice{"The level could not be saved", outcome->failure};
+  } else {
+    rememberLevel(ui, outcome->path);
+    editor.message = withRemarks(trFormat("Saved: {}", outcome->path.string()), outcome->lost);
   }
+}
+
+// `known`: SaveJob::start().
+void saveTo(const fs::path& path, std::optional<FileTime> known, Editor& editor, UiState& ui) {
+  constexpr double patience = 0.05;  // seconds; most files are written in less, and then nothing flickers
+  if (editor.saving.busy()) {
+    editor.message = trFormat("{} is still being written.", editor.saving.path().string());
+    return;
+  }
+  editor.saving.start(editor.session, path, known);
+  settleSave(editor, ui, patience);
 }
 
 // A level is saved over its own file, but never over its mesh.
@@ -78,7 +98,8 @@ void serveBrowser(Editor& editor, UiState& ui) {
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::findMesh)) giveMesh(*path, editor, ui);
-  if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, editor, ui);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel))
+    saveTo(*path, std::nullopt, editor, ui);
 }
 
 std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
@@ -103,10 +124,10 @@ void grant(const UnsavedQuestion& wish, UiState& ui) {
 }
 
 // The last question before the end; without files it is none.
-void settleFinish(UiState& ui) {
+void settleFinish(const Editor& editor, UiState& ui) {
   if (!ui.finish) return;
   using Answer = FinishQuestion::Answer;
-  const bool written = filesBeingWritten(ui).empty();
+  const bool written = filesBeingWritten(editor, ui).empty();
   if (!written && ui.finish->answer != Answer::stop) return;
   ui.requests.quit = true;
   ui.finish.reset();
@@ -125,12 +146,7 @@ void saveCurrent(Editor& editor, UiState& ui) {
   if (path.empty() || editor.session.isThesisScene() || editor.session.isInstalled())
     return saveCurrentAs(editor, ui);
   finishEdits(editor, ui);
-  if (!editor.session.isFileChanged()) return saveTo(path, editor, ui);
-  browseFiles(ui.browser, FilePurpose::saveLevel, path);
-  ui.browser.problem = trFormat(
-      "{} has been changed by another program since it was opened or saved here. Replace it, or "
-      "save under another name.",
-      path.filename().string());
+  saveTo(path, editor.session.fileTime(), editor, ui);
 }
 
 void saveCurrentAs(Editor& editor, UiState& ui) {
@@ -207,8 +223,9 @@ void rememberLevel(UiState& ui, const fs::path& path) {
   rememberFolder(ui.browser, whole.parent_path());
 }
 
-std::vector<std::string> filesBeingWritten(const UiState& ui) {
+std::vector<std::string> filesBeingWritten(const Editor& editor, const UiState& ui) {
   std::vector<std::string> files;
+  if (editor.saving.busy()) files.push_back(editor.saving.path().string());
   if (ui.exporting.writing) files.push_back(ui.exporting.request.path.string());
   if (!ui.render.saving.empty()) files.push_back(ui.render.saving);
   if (ui.shot.running) files.push_back(ui.shot.file.empty() ? tr("The picture of the window") : ui.shot.file);
@@ -223,6 +240,7 @@ void giveUpQuitting(UiState& ui, const std::string& problem) {
 
 void settleRequests(Editor& editor, UiState& ui) {
   serveBrowser(editor, ui);
+  settleSave(editor, ui, 0);
   if (auto wish = takeWish(ui.requests)) {
     endViewDrag(editor, ui.mouse, false);  // it would go on in the next level
     editor.session.cancelChange();
@@ -239,13 +257,14 @@ void settleRequests(Editor& editor, UiState& ui) {
       grant(*wish, ui);
     }
   }
-  if (ui.unsaved && ui.unsaved->answer != UnsavedQuestion::Answer::none && !ui.browser.open) {
+  if (ui.unsaved && ui.unsaved->answer != UnsavedQuestion::Answer::none && !ui.browser.open &&
+      !editor.saving.busy()) {
     const UnsavedQuestion wish = *std::exchange(ui.unsaved, std::nullopt);
     const bool drop = wish.answer == UnsavedQuestion::Answer::drop;
     // Still modified: the browser was closed without a name, and so nothing happens.
     if (drop || !editor.session.modified()) grant(wish, ui);
   }
-  settleFinish(ui);
+  settleFinish(editor, ui);
 }
 
 }  // namespace anamorph

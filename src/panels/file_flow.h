@@ -36,7 +36,7 @@ void acceptFiles(const std::vector<std::filesystem::path>& files, Editor& editor
 void rememberLevel(UiState& ui, const std::filesystem::path& path);
 
 /// The files that would not be there if the program ended now.
-std::vector<std::string> filesBeingWritten(const UiState& ui);
+std::vector<std::string> filesBeingWritten(const Editor& editor, const UiState& ui);
 /// One of them could not be written. A wish to quit that has waited for it is given up, and a notice says why.
 void giveUpQuitting(UiState& ui, const std::string& problem);
 

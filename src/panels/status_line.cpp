@@ -48,6 +48,12 @@ void openingProgress(Editor& editor, const UiState& ui) {
   ImGui::PopID();
 }
 
+// A level that is being written: nothing cancels that.
+void savingProgress(const Editor& editor, const UiState& ui) {
+  ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
+  ImGui::TextUnformatted(trFormat("Writing {}", editor.saving.path().filename().string()).c_str());
+}
+
 // Of something else that is being made. Returns whether it is to be cancelled.
 bool jobProgress(const char* name, double fraction, const UiState& ui) {
   const float s = static_cast<float>(ui.scale);
@@ -78,6 +84,7 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   if (editor.job.busy() && jobProgress(editor.job.name().c_str(), editor.job.fraction(), ui))
     editor.job.cancel();
   if (editor.opening.busy()) openingProgress(editor, ui);
+  if (editor.saving.busy()) savingProgress(editor, ui);
   if (ui.shot.running && jobProgress(tr("The picture is being drawn..."), ui.shot.fraction, ui))
     ui.requests.cancelShot = true;
   const std::string message = !editor.message.empty()         ? editor.message

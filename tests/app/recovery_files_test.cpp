@@ -100,9 +100,9 @@ TEST_F(RecoveryFiles, OlderThanTheFileSaySoAndAreNoOtherProgram) {
     Session session;
     session.recover(mine, readLevelFile(mine), found[0].level, found[0].fileTime);
     EXPECT_EQ(session.level(), numbered(1));
-    EXPECT_FALSE(session.isFileChanged()) << "who restores it has been told";
+    EXPECT_FALSE(isWrittenElsewhere(session.path(), session.fileTime())) << "who restores it has been told";
     write(numbered(3), std::chrono::seconds(5));
-    EXPECT_TRUE(session.isFileChanged()) << "this is news";
+    EXPECT_TRUE(isWrittenElsewhere(session.path(), session.fileTime())) << "this is news";
     found[0].remove();
   }
 }
@@ -115,7 +115,7 @@ TEST_F(RecoveryFiles, NewerThanAFileThatAnotherProgramWroteRememberIt) {
   EXPECT_FALSE(found[0].entry.fileIsNewer);
   Session session;
   session.recover(mine, readLevelFile(mine), found[0].level, found[0].fileTime);
-  EXPECT_TRUE(session.isFileChanged());
+  EXPECT_TRUE(isWrittenElsewhere(session.path(), session.fileTime()));
 }
 
 TEST_F(RecoveryFiles, OfAFileThatIsGoneOrBrokenAreOffered) {

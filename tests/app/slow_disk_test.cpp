@@ -55,6 +55,14 @@ class RealWindowSlowDisk : public WindowTest {
     window->type(name);
     window->key("Return");
   }
+  // Over the file that is there, if one is.
+  void saveAs(const std::string& name) {
+    window->key("ctrl+shift+s");
+    ASSERT_TRUE(window->waitFor([](const State& s) { return s.text("dialog") == "browser"; }, 20));
+    window->type(home(name));
+    window->key("Return");
+    if (fs::exists(home(name))) window->key("Return");  // replace it
+  }
   void expectFrames() {
     const double frame = window->state().number("frame");
     window->key("F1");
@@ -109,6 +117,33 @@ TEST_F(RealWindowSlowDisk, WhatComesLateIsOpened) {
   EXPECT_TRUE(window->waitFor([](const State& s) { return s.text("title").starts_with("Far away"); }, 20));
   EXPECT_FALSE(window->state().is("opening"));
   expectQuickEnd();
+}
+
+TEST_F(RealWindowSlowDisk, ALevelThatIsNotWrittenInTimeHoldsNothingUpAndIsReported) {
+  start(home("mine.json"), 60);
+  ASSERT_TRUE(window->settle());
+  saveAs("slow-disk/far.json");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("saving"); }, 5));
+  expectFrames();
+  EXPECT_TRUE(window->state().text("level").ends_with("mine.json"));
+  window->askToClose();
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.text("dialog") == "finish"; }));
+  window->key("s");  // stop and quit
+  expectEndNow();
+  EXPECT_THAT(window->errorText(),
+              HasSubstr("slow-disk/far.json: was not written: the window was closed before"));
+  EXPECT_EQ(loadLevel(home("slow-disk/far.json")).level.text->title, "Far away") << "the old file stays";
+}
+
+TEST_F(RealWindowSlowDisk, ALevelThatIsWrittenLateIsSavedThen) {
+  start(home("mine.json"), 1);
+  ASSERT_TRUE(window->settle());
+  saveAs("slow-disk/new.json");
+  ASSERT_TRUE(window->waitFor([](const State& s) { return s.is("saving"); }, 5));
+  EXPECT_TRUE(window->waitFor([](const State& s) { return s.text("level").ends_with("new.json"); }, 20));
+  EXPECT_FALSE(window->state().is("saving"));
+  expectQuickEnd();
+  EXPECT_TRUE(fs::exists(home("slow-disk/new.json")));
 }
 
 TEST_F(RealWindowSlowDisk, AnExportThatCannotBeWrittenInTimeIsReported) {

@@ -127,19 +127,21 @@ TEST(Recovery, IsNotSavedOverWhatItDoesNotKnow) {
   writeText(folder / "broken.json", "{");
   Session session;
   session.recover(folder / "broken.json", std::nullopt, numbered(5));
-  EXPECT_TRUE(session.isFileChanged()) << "a file that cannot be read may be somebody's work";
+  EXPECT_TRUE(isWrittenElsewhere(session.path(), session.fileTime()))
+      << "a file that cannot be read may be somebody's work";
   session.recover(folder / "gone.json", std::nullopt, numbered(5));
-  EXPECT_FALSE(session.isFileChanged());
+  EXPECT_FALSE(isWrittenElsewhere(session.path(), session.fileTime()));
   saveLevel(folder / "a.json", numbered(1));
   const auto written = fs::last_write_time(folder / "a.json");
   session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5), written);
-  EXPECT_FALSE(session.isFileChanged());
+  EXPECT_FALSE(isWrittenElsewhere(session.path(), session.fileTime()));
   session.recover(folder / "a.json", readLevelFile(folder / "a.json"), numbered(5),
                   written - std::chrono::seconds(1));
-  EXPECT_TRUE(session.isFileChanged()) << "another program wrote it, before or after the rescue";
+  EXPECT_TRUE(isWrittenElsewhere(session.path(), session.fileTime()))
+      << "another program wrote it, before or after the rescue";
   EXPECT_EQ(session.fileTime(), written - std::chrono::seconds(1)) << "also for the next rescue";
   session.saveTo(folder / "a.json");
-  EXPECT_FALSE(session.isFileChanged());
+  EXPECT_FALSE(isWrittenElsewhere(session.path(), session.fileTime()));
 }
 
 // What a full disk, a folder without permission, a folder that is gone have in common.
