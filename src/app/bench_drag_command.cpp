@@ -159,6 +159,7 @@ void bench(const BenchOptions& options, const CommonOptions& common) {
   preferences.uiScale = 1;
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
   Gui& gui = headless.gui();
+  gui.keepShadersWarm({});
   FrameRecorder recorder(headless);
   benchOpen(gui, recorder, level);
   const LevelResult& result = gui.editor().updater.result();

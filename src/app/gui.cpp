@@ -188,6 +188,11 @@ void Gui::drawView(double seconds, const ViewQuality* forced) {
   secondsHandsOff_ = handsOn ? 0 : secondsHandsOff_ + seconds;
   // A finer picture takes all the time that frames have, in which the panels would be slow to answer the mouse.
   if (software_ && !forced && !moving && secondsHandsOff_ < patience && viewport_->current()) return;
+  ui_.preparingView = warmer_ && !forced && !warmer_->ready(input);
+  if (ui_.preparingView) {
+    fine_ = false;
+    return;
+  }
   if (triangleCount(input) > 4 * triangleCount(lastInput_)) governor_.forget();
   const ViewQuality quality = forced ? *forced : governor_.next(moving, secondsStill_);
   fine_ = forced || governor_.isFinal(quality);
@@ -219,6 +224,10 @@ void Gui::frame(double seconds, const ViewQuality* forced) {
   serveRequests();
   times_.draw = timed([&] { drawLists(transparent_ ? 0 : 1); });
   ui_.frameMilliseconds = millisecondsSince(start);
+}
+
+void Gui::keepShadersWarm(std::function<void()> wake) {
+  if (software_) warmer_ = std::make_unique<ShaderWarmer>(std::move(wake));
 }
 
 void Gui::layOut() {

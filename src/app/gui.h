@@ -15,6 +15,7 @@
 #include "app/image_texture.h"
 #include "app/quality.h"
 #include "app/render_job.h"
+#include "app/shader_warmer.h"
 #include "app/view_input.h"
 #include "edit/editor.h"
 #include "gl/timer.h"
@@ -69,6 +70,10 @@ class Gui {
   Editor& editor() { return *editor_; }
   UiState& ui() { return ui_; }
   const FrameTimes& times() const { return times_; }
+  /// In a window: the view waits for its shaders instead of holding up a frame for them. Elsewhere nobody minds.
+  void keepShadersWarm(std::function<void()> wake);
+  /// Whether the view waits for its shaders.
+  bool preparesView() const { return ui_.preparingView; }
   /// Whether the 3D view is as fine as it gets.
   bool viewComplete() const { return fine_ && viewport_->complete(); }
   /// At the end: waits so long for each file that is being written; those that are not written then.
@@ -95,6 +100,7 @@ class Gui {
   UiState ui_;
   std::unique_ptr<Editor> editor_;
   std::unique_ptr<Viewport> viewport_;
+  std::unique_ptr<ShaderWarmer> warmer_;  // null: shaders are compiled when they are needed
   std::unique_ptr<RenderJob> renderJob_;
   std::unique_ptr<ExportJob> exportJob_;
   ViewInputMaker inputMaker_;

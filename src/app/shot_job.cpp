@@ -1,5 +1,6 @@
 #include "app/shot_job.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,7 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double frameShare = 50;  // ms between two frames that the picture gets
+// Milliseconds between two frames that the picture gets: what the window's own view leaves of a frame's.
+double frameShare(const Gui& gui) {
+  constexpr double most = 50, least = 5;
+  return std::max(least, most - gui.times().view);
+}
 
 // Where F12 puts its pictures: beside the user's other pictures, never over an older one.
 fs::path freshScreenshotPath() {
@@ -59,7 +64,7 @@ void ShotJob::update(Gui& gui) {
     say(gui, outcome.failure);
   }
   if (const auto request = std::exchange(requests.shot, std::nullopt)) begin(gui, *request);
-  if (shot_) shot_->draw(frameShare);
+  if (shot_) shot_->draw(frameShare(gui));
   if (shot_ && shot_->complete()) write();
   const bool drawing = shot_ != nullptr;
   gui.ui().shot = {drawing || busy || !files_.idle(), drawing, drawing ? shot_->fraction() : 1,

@@ -84,6 +84,7 @@ std::string stateLine(Gui& gui, std::size_t frame, const InputCounts& seen, bool
                          .add("pointPicked", editor.point.has_value())
                          .add("problem", result.problem.value_or(""))
                          .add("viewProblem", ui.viewProblem)
+                         .add("preparingView", ui.preparingView)
                          .add("refined", result.refined)
                          .add("complete", result.complete)
                          .add("iou", iou)

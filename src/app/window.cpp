@@ -119,6 +119,7 @@ class MainWindow {
     loadGl(glfwGetProcAddress);
     glfwSwapInterval(1);
     gui_ = std::make_unique<Gui>(preferences, [] { glfwPostEmptyEvent(); });
+    gui_->keepShadersWarm([] { glfwPostEmptyEvent(); });
     shotJob_ = std::make_unique<ShotJob>([] { glfwPostEmptyEvent(); });
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     installCallbacks();
@@ -179,8 +180,8 @@ class MainWindow {
   void waitForWork() {
     const double now = glfwGetTime();
     if (gui_->unfinished()) {
-      const bool onlyWorker = gui_->viewComplete() && !gui_->ui().shot.drawing && !isMoving(gui_->editor()) &&
-                              now - lastEvent_ > livelySeconds;
+      const bool onlyWorker = (gui_->viewComplete() || gui_->preparesView()) && !gui_->ui().shot.drawing &&
+                              !isMoving(gui_->editor()) && now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);
     }

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/error.h"
 #include "base/system_call.h"
 
 namespace anamorph {
@@ -112,9 +113,29 @@ bool TemporaryFile::moveTo(const fs::path& target) {
   return true;
 }
 
+TemporaryFolder::TemporaryFolder(const std::string& fileName) {
+  std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
+  if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
+  folder_ = name;
+  file_ = folder_ / fileName;
+  folderSlot_ = takeSlot(folder_.string());
+  fileSlot_ = takeSlot(file_.string());
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  ::unlink(file_.c_str());
+  ::rmdir(folder_.c_str());
+  giveSlot(fileSlot_);
+  giveSlot(folderSlot_);
+}
+
+// The files first, so that folders are empty. Neither call does anything to what is the other's.
 void removeTemporaries() noexcept {
   for (const NameSlot& slot : slots) {
     if (slot.filled) ::unlink(slot.path);
+  }
+  for (const NameSlot& slot : slots) {
+    if (slot.filled) ::rmdir(slot.path);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <string>
 
 namespace anamorph {
 
@@ -31,7 +32,23 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// From now on a process that INT, TERM or HUP ends removes its temporary files, and still dies of the signal. A
+/// A folder of its own among the system's temporary files, for one file; both go with this object, or by a signal.
+class TemporaryFolder {
+ public:
+  /// For a file of this name. Throws Error.
+  explicit TemporaryFolder(const std::string& fileName);
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path folder_, file_;
+  int folderSlot_, fileSlot_;
+};
+
+/// From now on a process that INT, TERM or HUP ends removes what is temporary of it, and still dies of the signal. A
 /// signal that whoever started the process has it ignore stays ignored. A file that grows beyond what the system
 /// allows (ulimit -f) is an error instead of an end.
 void removeTemporariesOnSignals();

@@ -31,12 +31,6 @@ fs::path targetOf(const std::string& name) {
   return name;
 }
 
-fs::path makeTemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
-  return name;
-}
-
 // In pieces: a sculpture may be large.
 template <typename Take>
 void copyFrom(std::ifstream& file, const Take& take) {
@@ -87,20 +81,9 @@ Output::Output(std::string name, const std::string& format)
   if (!stream) return;
   const std::string ending = format.empty() ? lowerEnding(name_) : "." + format;
   if (ending.empty()) throw UsageError(name_ + ": expected --format, which says what is to be written there");
-  folder_ = makeTemporaryFolder();
-  path_ = folder_ / ("output" + ending);
+  folder_ = std::make_unique<TemporaryFolder>("output" + ending);
+  path_ = folder_->file();
 }
-
-Output::~Output() {
-  std::error_code ignored;
-  if (isStream()) fs::remove_all(folder_, ignored);
-}
-
-Output::Output(Output&& other) noexcept
-    : name_(std::move(other.name_)),
-      target_(std::move(other.target_)),
-      path_(std::move(other.path_)),
-      folder_(std::exchange(other.folder_, {})) {}
 
 bool Output::isStandardOutput() const {
   return target_ == standardOutput;
@@ -110,8 +93,7 @@ void Output::deliver() {
   if (!isStream()) return;
   std::ifstream file(path_, std::ios::binary);
   if (!file) throw Error("cannot be read again: " + systemReason(), path_.string());
-  std::error_code ignored;
-  fs::remove_all(std::exchange(folder_, {}), ignored);  // now: who reads the output may end us at any time
+  folder_.reset();  // now: who reads the output may end us at any time
   if (isStandardOutput()) {
     copyFrom(file, [](std::string_view piece) { printText(stdout, piece); });
     return flushResults();

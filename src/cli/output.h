@@ -7,10 +7,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/temporary_file.h"
 #include "cli/common_options.h"
 
 namespace anamorph {
@@ -24,9 +26,6 @@ class Output {
  public:
   /// `format` is of an output that is no file: -, /dev/stdout or a device. Throws UsageError when one needs it.
   explicit Output(std::string name, const std::string& format = {});
-  ~Output();
-  Output(Output&& other) noexcept;
-  Output& operator=(Output&&) = delete;
 
   /// For messages.
   const std::string& name() const { return name_; }
@@ -35,7 +34,7 @@ class Output {
   /// Where that goes in the end: the same, or a device.
   const std::filesystem::path& target() const { return target_; }
   bool isStandardOutput() const;
-  bool isStream() const { return !folder_.empty(); }
+  bool isStream() const { return folder_ != nullptr; }
 
   /// The file has been written: brings it to where it is wanted. Throws Error.
   void deliver();
@@ -43,7 +42,7 @@ class Output {
  private:
   std::string name_;
   std::filesystem::path target_, path_;
-  std::filesystem::path folder_;  // of path_, where that is temporary
+  std::unique_ptr<TemporaryFolder> folder_;  // of path_, where that is temporary
 };
 
 /// The outputs of one command. Throws UsageError, also when `format` is given and no output needs it.

@@ -11,7 +11,7 @@
 
 namespace anamorph {
 
-Framebuffer::Framebuffer(int width, int height, std::initializer_list<TexelFormat> colors, bool withDepth,
+Framebuffer::Framebuffer(int width, int height, const std::vector<TexelFormat>& colors, bool withDepth,
                          bool smooth)
     : width_(width), height_(height) {
   const SavedTarget saved;

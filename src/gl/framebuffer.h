@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "gl/texture.h"
@@ -14,7 +13,7 @@ class Framebuffer {
   Framebuffer() = default;
   /// One colour texture a format; `withDepth` adds a depth texture. Throws Error when the driver cannot draw
   /// into such formats. `smooth` filters the colours when they are read.
-  Framebuffer(int width, int height, std::initializer_list<TexelFormat> colors, bool withDepth = false,
+  Framebuffer(int width, int height, const std::vector<TexelFormat>& colors, bool withDepth = false,
               bool smooth = false);
   ~Framebuffer();
   Framebuffer(Framebuffer&& other) noexcept;

@@ -86,7 +86,8 @@ EGLContext makeContext(EGLDisplay display, GlKind kind) {
 
 }  // namespace
 
-OffscreenContext::OffscreenContext(GlKind kind) : parts_(std::make_unique<Parts>()), kind_(kind) {
+OffscreenContext::OffscreenContext(GlKind kind, Functions functions)
+    : parts_(std::make_unique<Parts>()), kind_(kind), functions_(functions) {
   checkMemory();
   const struct {
     const char* name;
@@ -134,6 +135,7 @@ void OffscreenContext::makeCurrent() {
     throw Error("the OpenGL context cannot be made current (" +
                 hexadecimal(static_cast<unsigned>(eglGetError())) + ")");
   }
+  if (functions_ == Functions::loaded) return;
   kind_ == GlKind::desktop ? loadGl(eglGetProcAddress) : loadGlEs(eglGetProcAddress);
 }
 

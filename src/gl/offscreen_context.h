@@ -15,10 +15,13 @@ enum class GlKind {
 
 class OffscreenContext {
  public:
+  /// OpenGL's functions are of the whole process: a second thread finds them loaded, and may not do it again.
+  enum class Functions { load, loaded };
+
   /// Makes a context, makes it current in this thread and loads OpenGL's functions. Tried in this order:
   /// Mesa's surfaceless platform, EGL devices, the default display. Throws Error that tells what each of them
   /// said, and std::bad_alloc where a software renderer would run out of memory.
-  explicit OffscreenContext(GlKind kind = GlKind::desktop);
+  explicit OffscreenContext(GlKind kind = GlKind::desktop, Functions functions = Functions::load);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
@@ -30,6 +33,7 @@ class OffscreenContext {
   struct Parts;
   std::unique_ptr<Parts> parts_;
   GlKind kind_;
+  Functions functions_;
 };
 
 }  // namespace anamorph

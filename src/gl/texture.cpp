@@ -1,6 +1,7 @@
 #include "gl/texture.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include <glad/gl.h>
@@ -42,6 +43,14 @@ void bindForWriting(GLuint name) {
   constexpr GLenum scratchUnit = 15;
   glActiveTexture(GL_TEXTURE0 + scratchUnit);
   glBindTexture(GL_TEXTURE_2D, name);
+}
+
+// Mesa's software renderer compiles every shader anew where the height of a texture is a power of two and was none
+// before, or the other way round. Arrays grow and shrink, so it never is one.
+int rowsToMake(int rows) {
+  if (rows >= Texture::maxSize()) return rows;
+  rows = std::max(rows, 3);
+  return std::has_single_bit(static_cast<unsigned>(rows)) ? rows + 1 : rows;
 }
 
 int rowsFor(std::size_t length) {
@@ -112,14 +121,19 @@ bool TexelArrays::fits(std::span<const std::size_t> lengths) {
 bool TexelArrays::reserve(std::span<const std::size_t> lengths) {
   CHECK(lengths.size() == parts_.size());
   const auto hasRoom = [](const Rows& part, std::size_t length) { return rowsFor(length) <= part.rows; };
-  if (!texture_.empty() && std::equal(parts_.begin(), parts_.end(), lengths.begin(), hasRoom)) return false;
+  if (rows_ > 0 && std::equal(parts_.begin(), parts_.end(), lengths.begin(), hasRoom)) return false;
   int row = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     parts_[i] = {row, rowsFor(lengths[i])};
     row += parts_[i].rows;
   }
-  texture_ = Texture(format_, rowLength, std::max(row, 1));
+  rows_ = rowsToMake(row);
   return true;
+}
+
+void TexelArrays::make() {
+  texture_ = Texture();  // before a new one, which may be large
+  texture_ = Texture(format_, rowLength, rows_);
 }
 
 void TexelArrays::write(std::size_t part, std::size_t from, const void* texels, std::size_t count) {

@@ -51,8 +51,12 @@ class TexelArrays {
   /// Whether arrays of these lengths fit a texture of this driver.
   static bool fits(std::span<const std::size_t> lengths);
 
-  /// Makes room; must fit. Returns whether everything has moved, so that all of it has to be written again.
+  /// Where everything is to lie; must fit. Returns whether it has moved, so that all of it has to be written again.
   bool reserve(std::span<const std::size_t> lengths);
+  /// Whether make() has not been called since.
+  bool moved() const { return texture_.height() != rows_; }
+  /// Makes room for what was reserved. Before anything is written, and to be bound anew.
+  void make();
   /// Writes texels [from, from + count) of a part; `from` is the beginning of a row.
   void write(std::size_t part, std::size_t from, const void* texels, std::size_t count);
 
@@ -66,6 +70,7 @@ class TexelArrays {
   };
   TexelFormat format_;
   std::vector<Rows> parts_;
+  int rows_ = 0;  // of the texture; 0: nothing is reserved
   Texture texture_;
 };
 

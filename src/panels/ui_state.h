@@ -44,6 +44,7 @@ struct UiState : Look {
   UiTextures textures;
   std::vector<LevelEntry> levels;
   std::vector<LanguageChoice> languages;
+  bool preparingView = false;    ///< the 3D view is of an earlier time until its shaders are compiled
   std::string viewProblem;       ///< what of the level the 3D view cannot show; empty: it shows all
   double frameMilliseconds = 0;  ///< of the last drawn frame, for the status line
   bool bare = false;             ///< a picture of the things alone: without legend and axes

@@ -139,10 +139,11 @@ void drawProblem(Editor& editor, UiState& ui) {
 }
 
 void drawViewProblem(const UiState& ui) {
-  if (ui.viewProblem.empty()) return;
+  if (ui.viewProblem.empty() && !ui.preparingView) return;
   beginFloating(ui, "##view-problem", {0, 0}, 0.94f, 6);
   ImGui::PushStyleColor(ImGuiCol_Text, ink::middling(ui.theme));
-  paragraph(capitalised(ui.viewProblem), wrapAt(ui, 320));
+  if (ui.preparingView) paragraph(tr("The 3D view is being prepared for this machine..."), wrapAt(ui, 320));
+  if (!ui.viewProblem.empty()) paragraph(capitalised(ui.viewProblem), wrapAt(ui, 320));
   ImGui::PopStyleColor();
   ImGui::End();
 }

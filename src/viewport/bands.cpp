@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include <glad/gl.h>
 
@@ -49,6 +50,15 @@ void Bands::draw(int from, int to, const std::function<void()>& draw) const {
     for (int i = from; i < to; ++i) drawIn(at(i));
   }
   glDisable(GL_SCISSOR_TEST);
+}
+
+void addFramebuffer(Piecework& work, Framebuffer& target, const PixelSize& size,
+                    std::vector<TexelFormat> formats, bool withDepth, bool smooth) {
+  work.add(1, [&target, size, formats = std::move(formats), withDepth, smooth](int, int) {
+    if (target.width() == size.width && target.height() == size.height) return;
+    target = Framebuffer();  // before a new one, which is large
+    target = Framebuffer(size.width, size.height, formats, withDepth, smooth);
+  });
 }
 
 void drawFullScreen() {

@@ -3,8 +3,17 @@
 
 #include <algorithm>
 #include <functional>
+#include <vector>
+
+#include "gl/framebuffer.h"
+#include "viewport/piecework.h"
 
 namespace anamorph {
+
+struct PixelSize {
+  int width = 0, height = 0;
+  bool operator==(const PixelSize&) const = default;
+};
 
 /// Pixels from the lower left.
 struct PixelRect {
@@ -17,6 +26,8 @@ struct PixelRect {
 class Bands {
  public:
   explicit Bands(const PixelRect& area);
+  /// The whole picture.
+  explicit Bands(const PixelSize& size) : Bands(PixelRect{0, 0, size.width, size.height}) {}
 
   int count() const { return columns_ * rows_; }
   /// Piece `i` of count(); together they cover the area once.
@@ -28,6 +39,10 @@ class Bands {
   PixelRect area_;
   int columns_, rows_, stride_;
 };
+
+/// Makes `target` anew where it is not of this size; a piece of its own, as it may be large.
+void addFramebuffer(Piecework& work, Framebuffer& target, const PixelSize& size,
+                    std::vector<TexelFormat> formats, bool withDepth, bool smooth = false);
 
 /// One triangle over the whole picture, by the program in use (shaders/full_screen.vert.glsl).
 void drawFullScreen();

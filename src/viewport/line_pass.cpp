@@ -53,7 +53,7 @@ void LinePass::update(const std::shared_ptr<const std::vector<Line>>& lines, con
   if (texels.size() > most) texels.resize(most / 3 * 3);
   count_ = static_cast<int>(texels.size() / 3);
   if (count_ == 0) return;
-  texels_.reserve(std::array{texels.size()});
+  if (texels_.reserve(std::array{texels.size()})) texels_.make();
   texels_.write(0, 0, texels.data(), texels.size());
 }
 

@@ -1,6 +1,7 @@
 #include "viewport/outline_pass.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include <glad/gl.h>
@@ -87,10 +88,8 @@ bool OutlinePass::wanted(const ViewportInput& input, const Visible& visible) {
 void OutlinePass::add(Piecework& work, const Framebuffer& target, const ViewportInput& input,
                       const SceneBlock& scene, const Point& origin, const SurfaceSlots& slots,
                       const Visible& visible, double pixelScale) {
-  if (mask_.width() != target.width() || mask_.height() != target.height()) {
-    mask_ = Framebuffer();
-    mask_ = Framebuffer(target.width(), target.height(), {TexelFormat::r8}, false, true);
-  }
+  const PixelSize size{static_cast<int>(scene.right.w), static_cast<int>(scene.up.w)};
+  addFramebuffer(work, mask_, size, {TexelFormat::r8}, false, true);
   work.add(1, [this](int, int) {
     mask_.bind();
     const GLfloat nothing[] = {0, 0, 0, 0};
@@ -100,7 +99,7 @@ void OutlinePass::add(Piecework& work, const Framebuffer& target, const Viewport
   const PixelRect rect = seenRect(selectedBox(input, scene, slots), scene, origin, width + 2);
   const Bands bands(rect);
   if (const auto mesh = selectedMesh(input.selection)) {
-    addMesh(work, *mesh, slots, rect);
+    addMesh(work, *mesh, slots, rect, size);
   } else {
     addPlain(work, input.selection, visible.mirror, bands);
   }
@@ -116,11 +115,11 @@ void OutlinePass::add(Piecework& work, const Framebuffer& target, const Viewport
   });
 }
 
-void OutlinePass::addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots,
-                          const PixelRect& rect) {
+void OutlinePass::addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots, const PixelRect& rect,
+                          const PixelSize& size) {
   const int i = static_cast<int>(mesh), count = slots[i].triangles;
   const Bands bands(rect);
-  if (count > 0 && fasterTraced(count, mask_)) {
+  if (count > 0 && fasterTraced(count, std::int64_t{size.width} * size.height)) {
     work.add(bands.count(), [this, i, bands](int from, int to) {
       mask_.bind();
       traced_.use();

@@ -27,7 +27,8 @@ class OutlinePass {
            const Point& origin, const SurfaceSlots& slots, const Visible& visible, double pixelScale);
 
  private:
-  void addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots, const PixelRect& rect);
+  void addMesh(Piecework& work, GpuSurface mesh, const SurfaceSlots& slots, const PixelRect& rect,
+               const PixelSize& size);
   void addPlain(Piecework& work, const Selection& selection, const std::string& mirror, const Bands& bands);
 
   ShaderProgram mesh_, traced_, outline_;

@@ -24,17 +24,17 @@ OverlayPass::OverlayPass() : dots_(makeSceneProgram("dot.vert.glsl", "dot.frag.g
 }
 
 void OverlayPass::update(const ViewportInput& input, const SurfaceSlots& slots, const Visible& visible,
-                         const Point& origin, int width, int height) {
+                         const Point& origin, const PixelSize& size) {
   origin_ = origin;
   lines_.update(input.lines, origin);
   hasOutline_ = OutlinePass::wanted(input, visible);
   hasDots_ = input.display.statusColors && visible.sculpture && !slots[0].whole;
   anything_ = lines_.count() > 0 || hasOutline_ || hasDots_;
-  if (anything_) mean_.resize(width, height, {TexelFormat::rgba8}, false);
+  mean_.resize(size);
 }
 
 void OverlayPass::add(Piecework& work, const ViewportInput& input, const SceneBlock& scene,
-                      const SurfaceSlots& slots, const Visible& visible, const Texture& depth,
+                      const SurfaceSlots& slots, const Visible& visible, const Framebuffer& lit,
                       double pixelScale, int number) {
   mean_.addBegin(work, number);
   work.add(1, [this](int, int) {
@@ -43,18 +43,18 @@ void OverlayPass::add(Piecework& work, const ViewportInput& input, const SceneBl
     glClearBufferfv(GL_COLOR, 0, nothing);
   });
   if (hasDots_ && slots[0].triangles > 0) {
-    addDots(work, depth, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
+    addDots(work, lit, pixelScale, static_cast<int>(input.sculpture.prepared.mesh->positions.size()));
   }
   if (hasOutline_) outline_.add(work, mean_.sample(), input, scene, origin_, slots, visible, pixelScale);
-  addLines(work, depth, pixelScale);
+  addLines(work, lit, pixelScale);
   mean_.addEnd(work, number);
 }
 
-void OverlayPass::addDots(Piecework& work, const Texture& depth, double pixelScale, int vertices) {
+void OverlayPass::addDots(Piecework& work, const Framebuffer& lit, double pixelScale, int vertices) {
   const ListPieces dots{vertices, 2048};
-  work.add(dots.count(), [this, &depth, pixelScale, dots](int from, int to) {
+  work.add(dots.count(), [this, &lit, pixelScale, dots](int from, int to) {
     beginInk(mean_.sample());
-    depth.bind(depthUnit);
+    lit.color(1).bind(depthUnit);
     dots_.use();
     dots_.set("radius", static_cast<float>(dotRadius * pixelScale));
     dots_.set("first", dots.begin(from));
@@ -63,11 +63,11 @@ void OverlayPass::addDots(Piecework& work, const Texture& depth, double pixelSca
   });
 }
 
-void OverlayPass::addLines(Piecework& work, const Texture& depth, double pixelScale) {
+void OverlayPass::addLines(Piecework& work, const Framebuffer& lit, double pixelScale) {
   const ListPieces lines{lines_.count(), 32};
-  work.add(lines.count(), [this, &depth, pixelScale, lines](int from, int to) {
+  work.add(lines.count(), [this, &lit, pixelScale, lines](int from, int to) {
     beginInk(mean_.sample());
-    lines_.draw(depth, pixelScale, lines.begin(from), lines.begin(to));
+    lines_.draw(lit.color(1), pixelScale, lines.begin(from), lines.begin(to));
     glDisable(GL_BLEND);
   });
 }

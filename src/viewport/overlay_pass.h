@@ -17,25 +17,25 @@ class OverlayPass {
 
   /// What there is to draw for this input; the picture's size.
   void update(const ViewportInput& input, const SurfaceSlots& slots, const Visible& visible,
-              const Point& origin, int width, int height);
+              const Point& origin, const PixelSize& size);
   bool empty() const { return !anything_; }
 
-  /// The work of adding a sample to the mean, as ScenePass::add. `depth` is of the same sample; `pixelScale`: pixels of
+  /// The work of adding a sample to the mean, as ScenePass::add. `lit` is the same sample of that; `pixelScale`: pixels of
   /// the picture for one of a line's width.
   void add(Piecework& work, const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots,
-           const Visible& visible, const Texture& depth, double pixelScale, int number);
+           const Visible& visible, const Framebuffer& lit, double pixelScale, int number);
 
   /// The mean: display colour times alpha, alpha. Undefined while empty().
   const Texture& result() const { return mean_.result(); }
 
  private:
-  void addDots(Piecework& work, const Texture& depth, double pixelScale, int vertices);
-  void addLines(Piecework& work, const Texture& depth, double pixelScale);
+  void addDots(Piecework& work, const Framebuffer& lit, double pixelScale, int vertices);
+  void addLines(Piecework& work, const Framebuffer& lit, double pixelScale);
 
   LinePass lines_;
   OutlinePass outline_;
   ShaderProgram dots_;
-  SampleMean mean_;
+  SampleMean mean_{{TexelFormat::rgba8}, false};
   Point origin_{0};
   bool anything_ = false, hasOutline_ = false, hasDots_ = false;
 };

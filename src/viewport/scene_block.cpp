@@ -139,22 +139,26 @@ bool Visible::surface(GpuSurface which) const {
   return which == GpuSurface::sculpture ? sculpture : which == GpuSurface::original ? original : rtCamera;
 }
 
+ShaderKinds shaderKindsOf(const ViewportInput& input) {
+  const DisplaySettings& display = input.display;
+  return {isShown(input.level.optic) ? shapeName(input.level.optic.shape()) : ShaderKinds::noMirror,
+          display.originalLook == OriginalLook::ghost, display.sculpture && display.wireframe};
+}
+
 Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius) {
   const DisplaySettings& display = input.display;
   const Camera& camera = input.level.camera;
   const auto there = [&](GpuSurface which) { return slots[static_cast<int>(which)].triangles > 0; };
   Visible visible;
   visible.sculpture = display.sculpture && there(GpuSurface::sculpture);
-  visible.wires = visible.sculpture && display.wireframe;
   visible.original = display.originalLook != OriginalLook::hidden && there(GpuSurface::original);
-  visible.ghost = visible.original && display.originalLook == OriginalLook::ghost;
+  static_cast<ShaderKinds&>(visible) = shaderKindsOf(input);
   const bool outside =
       glm::length(input.pose.eye - camera.eye) > 1.5 * rtCameraSize(input.level.grid, sceneRadius);
   const bool shown = display.rtCamera && outside && isFinite(camera.eye) && isFinite(camera.target);
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  if (isShown(input.level.optic)) visible.mirror = shapeName(input.level.optic.shape());
   return visible;
 }
 

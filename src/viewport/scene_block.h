@@ -72,18 +72,24 @@ inline Color statusInk(PathStatus status) {
   return inkOf(palette::vertexStatus[static_cast<std::size_t>(status)]);
 }
 
-/// What is drawn of the input, decided once for all passes.
-struct Visible {
-  bool sculpture = false;
-  bool original = false;  ///< solid or ghost
-  bool ghost = false;
-  bool rtCamera = false;
-  bool wires = false;
-  bool screen = false;
+/// What the slowest shaders are made for (shaders/scene_pass.frag.glsl). They are the same whether a mesh is there yet or
+/// not, so that a level that is being opened needs no others than when it is.
+struct ShaderKinds {
   std::string mirror = noMirror;  ///< the file of shaders/shapes that is its shape
+  bool ghost = false, wires = false;
 
   static constexpr const char* noMirror = "none";
   bool hasMirror() const { return mirror != noMirror; }
+  auto operator<=>(const ShaderKinds&) const = default;
+};
+ShaderKinds shaderKindsOf(const ViewportInput& input);
+
+/// What is drawn of the input, decided once for all passes.
+struct Visible : ShaderKinds {
+  bool sculpture = false;
+  bool original = false;  ///< solid or ghost
+  bool rtCamera = false;
+  bool screen = false;
   bool surface(GpuSurface which) const;
 };
 Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius);

@@ -18,30 +18,25 @@ constexpr int seenUnit = 4, ghostUnit = 5, screenUnit = 6, sampleUnit = 4;
 
 }  // namespace
 
-SampleMean::SampleMean() : copy_(makeSceneProgram("full_screen.vert.glsl", "copy.frag.glsl")) {
+SampleMean::SampleMean(std::initializer_list<TexelFormat> formats, bool withDepth)
+    : formats_(formats),
+      withDepth_(withDepth),
+      copy_(makeSceneProgram("full_screen.vert.glsl", "copy.frag.glsl")) {
   copy_.use();
   copy_.set("source", sampleUnit);
 }
 
-void SampleMean::resize(int width, int height, std::initializer_list<TexelFormat> formats, bool withDepth) {
-  if (sample_.width() == width && sample_.height() == height) return;
-  for (Framebuffer* old : {&sample_, &mean_}) *old = Framebuffer();  // before new ones, which are large
-  sample_ = Framebuffer(width, height, formats, withDepth);
-}
-
 void SampleMean::addBegin(Piecework& work, int number) {
-  const Bands bands({0, 0, sample_.width(), sample_.height()});
-  work.add(1, [this, number](int, int) {
-    single_ = number == 0;
-    if (number != 1 || !mean_.empty()) return;
-    mean_ = Framebuffer(sample_.width(), sample_.height(), {TexelFormat::rgba16f});
-  });
+  const Bands bands(size_);
+  addFramebuffer(work, sample_, size_, formats_, withDepth_);
+  if (number == 1) addFramebuffer(work, mean_, size_, {formats_.front()}, false);
+  work.add(1, [this, number](int, int) { single_ = number == 0; });
   if (number == 1) work.add(bands.count(), [this, bands](int from, int to) { copySample(bands, from, to); });
 }
 
 void SampleMean::addEnd(Piecework& work, int number) {
   if (number == 0) return;
-  const Bands bands({0, 0, sample_.width(), sample_.height()});
+  const Bands bands(size_);
   work.add(bands.count(), [this, bands, number](int from, int to) {
     glEnable(GL_BLEND);
     glBlendColor(0, 0, 0, 1.0f / static_cast<float>(number + 1));
@@ -66,13 +61,6 @@ ScenePass::ScenePass()
   screen_.write(0, 0, 1, 1, black.data());
 }
 
-void ScenePass::resize(int width, int height) {
-  mean_.resize(width, height, {TexelFormat::rgba16f, TexelFormat::r32f}, true);
-  if (seen_.width() == width && seen_.height() == height) return;
-  for (Framebuffer* old : {&seen_, &seenGhost_}) *old = Framebuffer();
-  seen_ = Framebuffer(width, height, {TexelFormat::r32ui}, true);
-}
-
 void ScenePass::setScreen(const std::shared_ptr<const Image>& screen) {
   if (screen == shown_) return;
   shown_ = screen;
@@ -90,37 +78,35 @@ void ScenePass::setScreen(const std::shared_ptr<const Image>& screen) {
 void ScenePass::add(Piecework& work, const SurfaceSlots& slots, const Visible& visible, int number) {
   mean_.addBegin(work, number);
   addTriangles(work, seen_, slots, visible, false);
-  if (visible.ghost) {
-    if (seenGhost_.empty())
-      seenGhost_ = Framebuffer(seen_.width(), seen_.height(), {TexelFormat::r32ui}, true);
-    addTriangles(work, seenGhost_, slots, visible, true);
-  }
+  if (visible.ghost) addTriangles(work, seenGhost_, slots, visible, true);
   addPixels(work, visible);
   mean_.addEnd(work, number);
 }
 
 void ScenePass::addPixels(Piecework& work, const Visible& visible) {
-  const std::array kinds{PixelProgram{visible.mirror, visible.ghost, false, false},
-                         PixelProgram{visible.mirror, visible.ghost, visible.wires, true}};
-  for (const PixelProgram& kind : kinds) work.add(1, [this, kind](int, int) { make(kind); });
-  const Bands bands({0, 0, seen_.width(), seen_.height()});
-  work.add(bands.count(), [this, kinds, bands](int from, int to) {
+  const std::array programs{PixelProgram{{visible.mirror, visible.ghost, false}, false},
+                            PixelProgram{visible, true}};
+  const Bands bands(mean_.size());
+  // What the first kind leaves out keeps the farthest depth, and only there the second one passes the depth test.
+  work.add(bands.count(), [this, bands](int from, int to) {
     mean_.sample().bind();
-    seen_.color().bind(seenUnit);
-    if (kinds[0].ghost) seenGhost_.color().bind(ghostUnit);
-    screen_.bind(screenUnit);
-    // What the first pass leaves out keeps the farthest depth, and only there the second one passes the depth
-    // test.
     const GLfloat farthest = 1;
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
     bands.draw(from, to, [&] { glClearBufferfv(GL_DEPTH, 0, &farthest); });
-    for (const PixelProgram& kind : kinds) {
+  });
+  for (const PixelProgram& kind : programs) {
+    work.add(1, [this, kind](int, int) { make(kind); });
+    work.add(bands.count(), [this, kind, bands](int from, int to) {
+      mean_.sample().bind();
+      seen_.color().bind(seenUnit);
+      if (kind.kinds.ghost) seenGhost_.color().bind(ghostUnit);
+      screen_.bind(screenUnit);
+      glEnable(GL_DEPTH_TEST);
+      glDepthFunc(GL_LEQUAL);
       programs_[kind].use();
       bands.draw(from, to, drawFullScreen);
-    }
-    glDisable(GL_DEPTH_TEST);
-  });
+      glDisable(GL_DEPTH_TEST);
+    });
+  }
 }
 
 void ScenePass::make(const PixelProgram& kind) {
@@ -128,10 +114,10 @@ void ScenePass::make(const PixelProgram& kind) {
   if (!program.empty()) return;
   std::vector<std::string> defines;
   if (kind.traced) defines.emplace_back("TRACED");
-  if (kind.ghost) defines.emplace_back("GHOST");
-  if (kind.wires) defines.emplace_back("WIRES");
-  program =
-      makeSceneProgram("full_screen.vert.glsl", "scene_pass.frag.glsl", sceneOptions(kind.mirror, defines));
+  if (kind.kinds.ghost) defines.emplace_back("GHOST");
+  if (kind.kinds.wires) defines.emplace_back("WIRES");
+  program = makeSceneProgram("full_screen.vert.glsl", "scene_pass.frag.glsl",
+                             sceneOptions(kind.kinds.mirror, defines));
   program.use();
   program.set("seen", seenUnit);
   program.set("seenGhost", ghostUnit);
@@ -139,7 +125,7 @@ void ScenePass::make(const PixelProgram& kind) {
   program.set("place", kind.traced ? 1.0f : 0.0f);
 }
 
-void ScenePass::addTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots,
+void ScenePass::addTriangles(Piecework& work, Framebuffer& target, const SurfaceSlots& slots,
                              const Visible& visible, bool ghost) {
   int surfaces = 0;
   std::int64_t triangles = 0;
@@ -150,8 +136,11 @@ void ScenePass::addTriangles(Piecework& work, const Framebuffer& target, const S
     surfaces |= 1 << i;
     triangles += slots[i].triangles;
   }
-  if (!fasterTraced(triangles, target)) return addDrawnTriangles(work, target, slots, surfaces);
-  const Bands bands({0, 0, target.width(), target.height()});
+  const PixelSize& size = mean_.size();
+  addFramebuffer(work, target, size, {TexelFormat::r32ui}, true);
+  if (!fasterTraced(triangles, std::int64_t{size.width} * size.height))
+    return addDrawnTriangles(work, target, slots, surfaces);
+  const Bands bands(size);
   work.add(bands.count(), [this, &target, surfaces, bands](int from, int to) {
     target.bind();
     traced_.use();

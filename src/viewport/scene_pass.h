@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/shader.h"
@@ -22,10 +23,12 @@ namespace anamorph {
 /// A picture that is the mean of samples. Each is drawn into sample(), then added to the mean.
 class SampleMean {
  public:
-  SampleMean();
+  /// The formats of a sample's framebuffer; the mean is of the first.
+  SampleMean(std::initializer_list<TexelFormat> formats, bool withDepth);
 
-  /// All formats of a sample's framebuffer; the mean is of the first.
-  void resize(int width, int height, std::initializer_list<TexelFormat> formats, bool withDepth);
+  void resize(const PixelSize& size) { size_ = size; }
+  const PixelSize& size() const { return size_; }
+  /// Of that size once the work of addBegin() is done.
   const Framebuffer& sample() const { return sample_; }
   /// The work before sample number `number` is drawn, and after it.
   void addBegin(Piecework& work, int number);
@@ -36,7 +39,10 @@ class SampleMean {
  private:
   void copySample(const Bands& bands, int from, int to) const;
 
+  const std::vector<TexelFormat> formats_;
+  const bool withDepth_;
   ShaderProgram copy_;
+  PixelSize size_;
   Framebuffer sample_, mean_;
   bool single_ = true;  // a mean of one is that one: the mean is not made before a second sample comes
 };
@@ -45,7 +51,7 @@ class ScenePass {
  public:
   ScenePass();
 
-  void resize(int width, int height);
+  void resize(const PixelSize& size) { mean_.resize(size); }
   /// The image on the RT camera's pixel grid; null: none.
   void setScreen(const std::shared_ptr<const Image>& screen);
 
@@ -55,19 +61,19 @@ class ScenePass {
 
   /// The mean: linear light times alpha, alpha.
   const Texture& light() const { return mean_.result(); }
-  /// Of the last sample, for lines: lineDepth() of shaders/camera.glsl.
-  const Texture& depth() const { return mean_.sample().color(1); }
+  /// The last sample: its light, and for lines lineDepth() of shaders/camera.glsl.
+  const Framebuffer& sample() const { return mean_.sample(); }
 
  private:
   /// What a program is made for, see scene_pass.frag.glsl.
   struct PixelProgram {
-    std::string mirror;
-    bool ghost = false, wires = false, traced = false;
+    ShaderKinds kinds;
+    bool traced = false;
     auto operator<=>(const PixelProgram&) const = default;
   };
 
-  void addTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots,
-                    const Visible& visible, bool ghost);
+  void addTriangles(Piecework& work, Framebuffer& target, const SurfaceSlots& slots, const Visible& visible,
+                    bool ghost);
   void addDrawnTriangles(Piecework& work, const Framebuffer& target, const SurfaceSlots& slots, int surfaces);
   void addPixels(Piecework& work, const Visible& visible);
   void make(const PixelProgram& kind);
@@ -75,7 +81,7 @@ class ScenePass {
   ShaderProgram triangles_, traced_;
   std::map<PixelProgram, ShaderProgram> programs_;  // made when needed
   Framebuffer seen_, seenGhost_;
-  SampleMean mean_;
+  SampleMean mean_{{TexelFormat::rgba16f, TexelFormat::r32f}, true};
   Texture screen_;
   std::shared_ptr<const Image> shown_;
 };

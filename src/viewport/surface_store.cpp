@@ -103,8 +103,8 @@ bool sameTriangles(const PreparedMesh& a, const PreparedMesh& b) {
 
 }  // namespace
 
-bool fasterTraced(std::int64_t triangles, const Framebuffer& target) {
-  return triangles > std::int64_t{target.width()} * target.height() && isSoftwareRenderer();
+bool fasterTraced(std::int64_t triangles, std::int64_t pixels) {
+  return triangles > pixels && isSoftwareRenderer();
 }
 
 SurfaceStore::SurfaceStore()
@@ -119,7 +119,14 @@ void SurfaceStore::update(const SurfaceSources& wanted, Piecework& work) {
   Lengths lengths{};
   leaveOutWhatDoesNotFit(sources, lengths);
   std::array<bool, arrayCount> moved;
-  for (int a = 0; a < arrayCount; ++a) moved[a] = arrays_[a].reserve(lengths[a]);
+  for (int a = 0; a < arrayCount; ++a) {
+    moved[a] = arrays_[a].reserve(lengths[a]);
+    if (!arrays_[a].moved()) continue;
+    work.add(1, [this, a](int, int) {
+      arrays_[a].make();
+      bind();
+    });
+  }
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     const SurfaceSource &now = sources[i], &before = sources_[i];
     const PreparedMesh &m = now.prepared, &old = before.prepared;

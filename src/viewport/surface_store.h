@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "gl/framebuffer.h"
 #include "gl/texture.h"
 #include "viewport/piecework.h"
 #include "viewport/scene_block.h"
@@ -32,7 +31,7 @@ struct SurfaceUnits {
 /// Whether the triangles that pixels see are found sooner by a ray for every pixel than by drawing all
 /// triangles. Graphics processors draw small triangles faster than they trace; the main processor takes about
 /// as long for one as for a ray.
-bool fasterTraced(std::int64_t triangles, const Framebuffer& target);
+bool fasterTraced(std::int64_t triangles, std::int64_t pixels);
 
 class SurfaceStore {
  public:
@@ -41,6 +40,7 @@ class SurfaceStore {
   /// slots() are of these from now on; the work of uploading what has changed has to be done before they are drawn. An
   /// earlier work that was not finished has to be forgotten.
   void update(const SurfaceSources& sources, Piecework& work);
+  /// Texture units are left to it; the work binds what it makes anew.
   void bind() const;
 
   const SurfaceSlots& slots() const { return slots_; }

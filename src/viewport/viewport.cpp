@@ -1,6 +1,7 @@
 #include "viewport/viewport.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -65,7 +66,7 @@ struct Viewport::Parts {
   // What is drawn, how large, and how far.
   ViewportInput input;
   double scale = 0;  // 0: nothing yet
-  int width = 0, height = 0;
+  PixelSize size;
   int done = 0, asked = 1;
   Piecework work{[] { glFinish(); }};
   bool behind = false;  // what the last call asked for waits until this input is shown
@@ -104,40 +105,35 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   visible = findVisible(input, surfaces.slots(), measure.radius);
   scenePass.setScreen(input.screen);
 
-  const auto scaled = [&](int size) {
-    return std::max(1, static_cast<int>(std::lround(size * wantedScale)));
+  const auto scaled = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels * wantedScale)));
   };
-  width = scaled(input.width);
-  height = scaled(input.height);
-  scenePass.resize(width, height);
-  overlayPass.update(input, surfaces.slots(), visible, measure.centre, width, height);
+  size = {scaled(input.width), scaled(input.height)};
+  scenePass.resize(size);
+  overlayPass.update(input, surfaces.slots(), visible, measure.centre, size);
   scale = wantedScale;
 }
 
 // `show`: its end is to be seen.
 void Viewport::Parts::addSample(bool show) {
   const SceneBlock scene =
-      makeSceneBlock(input, measure, surfaces.slots(), visible, width, height, sampleShift(done));
+      makeSceneBlock(input, measure, surfaces.slots(), visible, size.width, size.height, sampleShift(done));
   work.add(1, [this, scene](int, int) {
     spent = 0;
     block.write(&scene, sizeof scene);
   });
   scenePass.add(work, surfaces.slots(), visible, done);
   if (!overlayPass.empty()) {
-    overlayPass.add(work, input, scene, surfaces.slots(), visible, scenePass.depth(), input.lineScale * scale,
-                    done);
+    overlayPass.add(work, input, scene, surfaces.slots(), visible, scenePass.sample(),
+                    input.lineScale * scale, done);
   }
   if (show) addShow();
   work.add(1, [this](int, int) { ++done; });
 }
 
 void Viewport::Parts::addShow() {
-  work.add(1, [this](int, int) {
-    if (nextPicture.width() == width && nextPicture.height() == height) return;
-    nextPicture = Framebuffer();
-    nextPicture = Framebuffer(width, height, {TexelFormat::rgba8}, false, true);
-  });
-  const Bands bands({0, 0, width, height});
+  addFramebuffer(work, nextPicture, size, {TexelFormat::rgba8}, false, true);
+  const Bands bands(size);
   work.add(bands.count(), [this, bands](int from, int to) {
     nextPicture.bind();
     scenePass.light().bind(lightUnit);
@@ -183,7 +179,9 @@ bool Viewport::draw(const ViewportInput& input, double scale, int samplesNow, in
   if (milliseconds < Piecework::noHurry) glFinish();  // what others have asked for is not measured
   resetStates();
   glBindVertexArray(p.noVertices);
+  const auto start = std::chrono::steady_clock::now();
   if (changed && !p.behind) p.begin(input, scale);
+  milliseconds -= std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   p.block.bind();
   p.surfaces.bind();
   p.drawFor(p.behind ? p.done + 1 : std::min(p.done + samplesNow, samples), milliseconds);

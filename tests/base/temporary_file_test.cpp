@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -50,6 +52,34 @@ TEST(TemporaryFiles, AreMoreThanThereArePlacesForTheirNames) {
   }
   EXPECT_TRUE(fs::is_empty(folder));
   fs::remove_all(folder);
+}
+
+TEST(TemporaryFolders, GoWithTheirFile) {
+  fs::path file;
+  {
+    const TemporaryFolder folder("output.obj");
+    file = folder.file();
+    EXPECT_EQ(file.filename(), "output.obj");
+    writeFile(file, "v 0 0 0");
+  }
+  EXPECT_FALSE(fs::exists(file.parent_path()));
+}
+
+// A command whose output goes to standard output, stopped by Ctrl+C.
+TEST(TemporaryFolders, GoWithASignal) {
+  const fs::path place = fs::path(testing::TempDir()) / ("interrupted" + std::to_string(getpid()));
+  fs::create_directory(place);
+  const auto stopWithin = [&] {
+    ::setenv("TMPDIR", place.c_str(), 1);
+    removeTemporariesOnSignals();
+    const TemporaryFolder folder("output.obj");
+    std::ofstream(folder.file()) << "v 0 0 0";
+    const TemporaryFile half(folder.file().parent_path(), 0600);
+    ::raise(SIGINT);
+  };
+  EXPECT_EXIT(stopWithin(), testing::KilledBySignal(SIGINT), "");
+  EXPECT_TRUE(fs::is_empty(place));
+  fs::remove_all(place);
 }
 
 }  // namespace

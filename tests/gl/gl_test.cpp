@@ -122,6 +122,9 @@ TEST_F(Gl, TexelArraysKeepTheirPlaces) {
   EXPECT_EQ(arrays.first(1), 2 * static_cast<int>(row));
   EXPECT_EQ(arrays.first(2), 2 * static_cast<int>(row));
   EXPECT_FALSE(arrays.reserve(std::array<std::size_t, 3>{2 * row, 0, 1})) << "there is room";
+  EXPECT_TRUE(arrays.moved());
+  arrays.make();
+  EXPECT_FALSE(arrays.moved());
   std::vector<float> texels(4 * (row + 1));
   std::iota(texels.begin(), texels.end(), 0.0f);
   arrays.write(0, 0, texels.data(), row + 1);
