@@ -154,7 +154,7 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.rtCamera = shown && there(GpuSurface::rtCamera);
   visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&
                    !input.screen->pixels.empty();
-  if (isShown(input.level.optic)) visible.mirror = shapeName(input.level.optic.shape());
+  if (display.mirror && isShown(input.level.optic)) visible.mirror = shapeName(input.level.optic.shape());
   return visible;
 }
 
