@@ -76,7 +76,9 @@ Level begun(const StepMove& move, const Editor& editor) {
     box->segments = *move.segments;
   }
   putRight(level.sculpture.mistakes, move.putRight);
-  return move.freeze ? frozen(std::move(level)) : level;
+  if (!move.freeze) return level;
+  level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
+  return frozen(std::move(level));
 }
 
 void playView(Editor& editor, const StepMove& move) {

@@ -1,5 +1,7 @@
 #include "level/freeze.h"
 
+#include <utility>
+
 namespace anamorph {
 
 SculptureInputs sculptureInputs(const LevelScene& level) {
@@ -15,6 +17,17 @@ SculptureInputs sculptureInputs(const LevelScene& level) {
 bool hasOriginalMoved(const LevelScene& level) {
   const auto& kept = level.sculpture.frozen;
   return kept && !(kept->unitize == level.original.unitize && kept->placement == level.original.placement);
+}
+
+Level asMade(Level level) {
+  const SculptureInputs inputs = sculptureInputs(level);
+  level.optic = inputs.optic;
+  level.camera = inputs.camera;
+  level.original.unitize = inputs.unitize;
+  level.original.placement = inputs.placement;
+  level.sculpture.depthScale = inputs.depthScale;
+  level.sculpture.mistakes = inputs.mistakes;
+  return following(std::move(level));
 }
 
 Level frozen(Level level) {

@@ -16,6 +16,9 @@ SculptureInputs sculptureInputs(const LevelScene& level);
 /// Whether the original stands elsewhere than the frozen sculpture was made from.
 bool hasOriginalMoved(const LevelScene& level);
 
+/// The level as it was, in all that the sculpture is made from: how a frozen one has to be set up to be right.
+Level asMade(Level level);
+
 /// The sculpture stays as it is from now on. A level that is frozen already stays the same.
 Level frozen(Level level);
 /// The sculpture is made from the level's own eye, mirror and original again.

@@ -89,7 +89,7 @@ struct StepMove {
   bool animate = false;  ///< the rays
   bool wireframe = false;
   bool undo = false;
-  bool freeze = false;  ///< the sculpture, before anything moves
+  bool freeze = false;  ///< the sculpture, before anything but the depth scale has moved
   bool operator==(const StepMove&) const = default;
 };
 
