@@ -1,7 +1,7 @@
 #include "edit/level_trial.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 #include "pipeline/evaluator.h"
@@ -11,10 +11,10 @@ namespace anamorph {
 static_assert(fullTrial == matchSize);
 
 bool isNoWorse(const Trial& after, const Trial& before) {
-  constexpr double samplingNoise = 0.002;
   if (!before.sound) return true;
+  const double pixels = static_cast<double>(std::min(after.originalPixels, before.originalPixels));
   return after.sound && after.grade <= before.grade &&
-         after.silhouetteIou >= before.silhouetteIou - samplingNoise;
+         after.silhouetteIou >= before.silhouetteIou - 0.5 / std::sqrt(pixels);
 }
 
 Trial Trials::at(const Level& level, std::shared_ptr<const Mesh> placed, int longerSide) {
@@ -42,6 +42,7 @@ Trial Trials::at(const Level& level, std::shared_ptr<const Mesh> placed, int lon
   trial.missedShare = report.missedShare;
   trial.shownShare = double(report.comparedPixels) / double(report.originalPixels);
   trial.silhouetteIou = report.silhouetteIou;
+  trial.originalPixels = report.originalPixels;
   return trial;
 }
 

@@ -2,6 +2,7 @@
 // where to look; what counts is the image that the window and the command line judge by.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "anamorphosis/match.h"
@@ -15,15 +16,16 @@ struct Trial {
   bool sound = false;   ///< it can be computed, and there is something to judge
   bool mapped = false;  ///< every vertex of the original is
   double hiddenShare = 0, missedShare = 0;
-  double shownShare = 0;     ///< of the original's pixels: those that show the sculpture too
-  double silhouetteIou = 0;  ///< 0 when not sound, as the worst grade
+  double shownShare = 0;  ///< of the original's pixels: those that show the sculpture too
+  double silhouetteIou = 0;
+  std::size_t originalPixels = 0;
   MatchGrade grade = MatchGrade::none;
 
   bool clear() const { return sound && mapped && hiddenShare == 0 && missedShare == 0; }
 };
 
-/// Whether the match of a level that is `clear` is at least as good otherwise: its grade, and its silhouette but for what
-/// sampling by pixels can tell.
+/// Whether the match is at least as good: its grade, and its silhouette but for what a border of pixels cannot tell, which
+/// is more of a small original. Always when there was none before.
 bool isNoWorse(const Trial& after, const Trial& before);
 
 /// Longer sides of the images: to find where to look, to look closer, and as everybody judges.

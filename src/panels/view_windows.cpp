@@ -160,15 +160,16 @@ void drawViewSigns(Editor& editor, UiState& ui) {
   };
   const auto isShown = [](const Sign& sign) { return sign.shown; };
   if (std::none_of(std::begin(signs), std::end(signs), isShown)) return;
+  const bool narrow = ui.layout.view.width < scaled(ui, 520);  // the legend is beside it
   beginFloating(ui, "##signs", {0, 0}, 0.94f, 6);
   for (const Sign& sign : signs) {
     if (!sign.shown) continue;
-    ImGui::AlignTextToFramePadding();
+    if (!narrow) ImGui::AlignTextToFramePadding();
     {
       const FontScope strong(ui.fonts.strong);
       ImGui::TextUnformatted(tr(sign.text));
     }
-    ImGui::SameLine();
+    if (!narrow) ImGui::SameLine();
     if (ImGui::Button(label(sign.button).c_str())) sign.undo(editor);
     highlightItem(sign.button);
   }

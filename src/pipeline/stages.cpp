@@ -175,10 +175,8 @@ std::vector<std::string> findWarnings(const LevelScene& level, const PreparedScu
 std::optional<std::string> frozenSentence(const LevelScene& level) {
   if (!level.sculpture.frozen) return std::nullopt;
   const Point& eye = level.sculpture.frozen->camera.eye;
-  return trFormat(
-      "the sculpture is frozen: it was made for the eye at ({:g}, {:g}, {:g}), and what moves now moves "
-      "without it",
-      eye.x, eye.y, eye.z);
+  return trFormat("the sculpture is frozen as it was made for the eye at ({:g}, {:g}, {:g})", eye.x, eye.y,
+                  eye.z);
 }
 
 VertexMap makeVertexMap(const LevelScene& level) {

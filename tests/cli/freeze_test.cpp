@@ -40,7 +40,7 @@ TEST_F(FrozenFile, GivesTheSculptureAsItWas) {
   ASSERT_EQ(frozen.exitCode, 0) << frozen.err;
   EXPECT_EQ(readAll(before), readAll(after));
   EXPECT_NE(frozen.err.find("warning: " + file_ +
-                            ": the sculpture is frozen: it was made for the eye at (0, -9.1, 9.6)"),
+                            ": the sculpture is frozen as it was made for the eye at (0, -9.1, 9.6)"),
             std::string::npos)
       << frozen.err;
   ASSERT_EQ(run("export " + (folder_ / "before.json") + " -o " + (folder_ / "before.stl")).exitCode, 0);

@@ -9,6 +9,7 @@
 #include "edit/advance.h"
 #include "edit/editor.h"
 #include "edit/gizmo.h"
+#include "edit/lesson_run.h"
 #include "edit/level_edits.h"
 #include "edit/replacements.h"
 #include "geometry/shapes.h"
@@ -140,7 +141,8 @@ TEST(FrozenEdits, TheVertexRayIsTheOneThatTheVertexWasMadeBy) {
   const auto after = currentConstruction(editor);
   ASSERT_TRUE(after);
   EXPECT_EQ(after->points.front().at, before->points.front().at) << "E";
-  EXPECT_EQ(after->rows, before->rows);
+  EXPECT_EQ(after->distances.back().text, before->distances.back().text) << "k d";
+  EXPECT_EQ(after->distances.back().at, before->distances.back().at);
 }
 
 TEST(FrozenStep, IsDoneWhenItWasFrozenTheEyeMovedAndTheMatchFell) {
