@@ -139,7 +139,8 @@ const std::optional<Construction>& currentConstruction(Editor& editor) {
 }
 
 bool canToggleFrozen(const Editor& editor) {
-  return editor.session.level().sculpture.frozen || !editor.updater.result().problem;
+  const LevelResult& result = editor.updater.result();
+  return editor.session.level().sculpture.frozen || (result.sculpture.sculpture && !result.problem);
 }
 
 void toggleFrozen(Editor& editor) {
