@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "base/language.h"
+#include "panels/highlight.h"
 #include "panels/material_rows.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -14,16 +15,17 @@ namespace anamorph {
 namespace {
 
 void frozenRows(Editor& editor, const UiState& ui) {
+  constexpr const char* freeze = "Freeze the sculpture";
   const auto frozen = frozenSentence(editor.session.level());
   if (frozen) quietText(ui, (capitalised(*frozen) + ".").c_str());
-  const char* name = frozen ? "Let it follow again" : "Freeze the sculpture";
-  if (wideButton(name,
+  const bool pressed =
+      wideButton(frozen ? "Let it follow again" : freeze,
                  frozen ? "It is made for the eye as it is now."
                         : "It stays as it is. Move the eye, the original or the mirror then: the match tells "
                           "what it is still worth.",
-                 canToggleFrozen(editor))) {
-    toggleFrozen(editor);
-  }
+                 canToggleFrozen(editor));
+  if (frozen) highlightItem(freeze);  // the same control, which "show me" has pressed at once
+  if (pressed) toggleFrozen(editor);
 }
 
 // Of a frozen sculpture only the fineness can be changed.
