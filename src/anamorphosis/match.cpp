@@ -60,7 +60,9 @@ struct Sample {
 class Matcher {
  public:
   explicit Matcher(const MatchInput& input)
-      : input_(input), projection_(input.camera, input.width, input.height) {}
+      : input_(input), projection_(input.camera, input.width, input.height) {
+    if (input.originalMoved) placeSources(*input.sculpture, *input.original, moved_);
+  }
 
   Sample at(const Pixel& place) const {
     const Ray ray = projection_.rayThrough(place);
@@ -120,14 +122,16 @@ class Matcher {
     BvhHit hit;
     if (!input_.sculptureBvh->closestHit(ray, hit, 0, length)) return std::nullopt;
     const Sculpture& s = *input_.sculpture;
+    const PointArray& points = input_.originalMoved ? moved_ : s.original;
     const Triangle& t = s.mesh.triangles[hit.triangle];
-    const Point original =
-        (1 - hit.u - hit.v) * s.original[t[0]] + hit.u * s.original[t[1]] + hit.v * s.original[t[2]];
+    const Point original = (1 - hit.u - hit.v) * points[t[0]] + hit.u * points[t[1]] + hit.v * points[t[2]];
     return ReflectedHit{s.sourceTriangle[hit.triangle], original};
   }
 
   const MatchInput& input_;
   Projection projection_;
+  PointArray
+      moved_;  // of every vertex of the sculpture: where its point of the original is now, if that has moved
 };
 
 // Pixels that show the sculpture where neither they nor their neighbours show the original.

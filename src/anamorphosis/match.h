@@ -30,6 +30,8 @@ struct MatchInput {
   Optic optic;
   Camera camera;
   std::optional<Floor> floor;
+  /// Whether the original stands elsewhere than the sculpture was made from: its points are found anew, by their sources.
+  bool originalMoved = false;
   std::shared_ptr<const Bvh> obstacle;  ///< something solid beside the sculpture, a base plate; null: nothing
   int width = 512;                      ///< of the image that is compared, in pixels
   int height = 512;

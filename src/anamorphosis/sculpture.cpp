@@ -86,6 +86,16 @@ Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& p
   return sculpture;
 }
 
+void placeSources(const Sculpture& sculpture, const Mesh& original, PointArray& points) {
+  points.resize(sculpture.source.size());
+  for (std::size_t i = 0; i < sculpture.source.size(); ++i) {
+    const VertexSource& source = sculpture.source[i];
+    const Triangle& t = original.triangles[source.triangle];
+    const PointArray& p = original.positions;
+    points.set(i, (1 - source.u - source.v) * p[t[0]] + source.u * p[t[1]] + source.v * p[t[2]]);
+  }
+}
+
 void remapSculpture(const VertexMap& map, Sculpture& sculpture, int threads) {
   MappedPoints mapped{std::move(sculpture.mesh.positions), std::move(sculpture.status)};
   mapPointsThrough(map, sculpture.original, mapped, threads);

@@ -31,6 +31,9 @@ struct Sculpture {
 /// left out. A cancelled run returns an empty sculpture.
 Sculpture makeSculpture(const DeformInput& input, int threads = 1, const Progress& progress = {});
 
+/// Where the points behind the sculpture's vertices are on its original, which may have moved since.
+void placeSources(const Sculpture& sculpture, const Mesh& original, PointArray& points);
+
 /// The sculpture of a drag: the same triangles and sources, all of sculpture.original mapped anew. Triangles stay,
 /// so corners that are not mapped any more are left at their original's place with their status telling so.
 void remapSculpture(const VertexMap& map, Sculpture& sculpture, int threads = 1);

@@ -54,13 +54,13 @@ void RenderJob::start(const LevelResult& result, const RenderDialog& dialog) {
   level.sculpture.imageSize = std::max(level.sculpture.imageSize, height);
   level.tracing.samplesPerAxis = dialog.samplesPerAxis;
   const ImageRequest request = makeImageRequest(level, width, height, 0);
-  worker_.request(
-      [level, request, mesh = result.original.mesh, results = results_](const Progress& progress) {
-        const auto finished = finishLevel(level, mesh, 0, {{}, progress.token});
-        if (!finished) return;
-        auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);
-        if (image) results->put(std::make_shared<const Bitmap>(toBitmap(*image)));
-      });
+  worker_.request([level, request, original = PlacedOriginal(result.original.mesh, result.source),
+                   results = results_](const Progress& progress) {
+    const auto finished = finishLevel(level, original, 0, {{}, progress.token});
+    if (!finished) return;
+    auto image = makePicture(*finished, PictureKind::reflection, request, nullptr, progress);
+    if (image) results->put(std::make_shared<const Bitmap>(toBitmap(*image)));
+  });
 }
 
 bool RenderJob::updateSaves(UiState& ui) {

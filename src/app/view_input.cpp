@@ -33,13 +33,12 @@ double playTime(const Editor& editor, const ShownRays& rays) {
 
 ShownRays::ShownRays(const Editor& editor) {
   const LevelResult& result = editor.updater.result();
-  if (!editor.rays.show || result.problem || !result.original.mesh) return;
+  if (!editor.rays.show || result.problem || !result.source) return;
   if (editor.cell || editor.rays.source == RaySource::pixels) {
     trees_ = result.trees;
     tree_ = treeOf(editor);
   } else if (!editor.point) {  // the picked vertex has its construction
-    vertexRays_ =
-        sampleVertexRays(makeVertexMap(result.level), *result.original.mesh, editor.rays.vertexCount);
+    vertexRays_ = sampleVertexRays(makeVertexMap(result.level), *result.source, editor.rays.vertexCount);
   }
 }
 
@@ -78,15 +77,17 @@ void stepRays(Editor& editor, const ShownRays& rays) {
 
 std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays) {
   const LevelScene& level = editor.updater.result().level;
+  const DisplaySettings display = shown(editor.display);
   std::vector<Line> lines;
-  if (editor.display.rtCamera) {
+  if (display.rtCamera) {
     const bool selected = editor.selection.part == Part::eye || editor.selection.part == Part::aim;
     append(lines, makeCameraLines(level.camera, level.grid, selected,
                                   editor.cell ? editor.cell : ui.hoveredCell, editor.pose.eye));
   }
   // From the eye the canvas would lie over what is seen in it.
-  if (!editor.lookingThrough)
+  if (!editor.lookingThrough && display.mirror)
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
+  if (display.alone != ShownAlone::nothing) return lines;
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
   if (const auto& construction = currentConstruction(editor))
     append(lines, makeConstructionLines(*construction));
@@ -105,7 +106,7 @@ ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const Show
   input.level = result.level;
   input.original = result.original;
   input.sculpture = shownSculpture(editor);
-  input.display = editor.display;
+  input.display = shown(editor.display);
   if (!input.display.background) input.display.background = skyOf(ui.theme);
   if (editor.lookingThrough && !editor.flight) {
     input.display.rtCamera = false;

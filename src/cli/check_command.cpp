@@ -38,8 +38,7 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
   constexpr int matchSize = 256;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
   sayWarnings(common, shape.warnings);
-  const auto original = placeOriginal(*shape.mesh, level.original.unitize, level.original.placement);
-  const LevelResult finished = *finishLevel(level, original, common.threads);
+  const LevelResult finished = *finishLevel(level, placeOriginal(*shape.mesh, level), common.threads);
   if (finished.problem) throw Error(*finished.problem);
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   for (const std::string& warning : finished.warnings)
@@ -48,7 +47,7 @@ std::string checkLevel(const std::string& path, const Level& level, const Common
   if (const auto problem = findMatchProblem(report)) sayMessage(common, "warning: " + path + ": " + *problem);
   return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
                      shapeName(level.optic.shape()), surfaceName(level.optic), sculpture.originalStatus[0],
-                     original->positions.size(), matchGradeName(gradeOf(report)));
+                     shape.mesh->positions.size(), matchGradeName(gradeOf(report)));
 }
 
 std::string checkLoaded(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common) {

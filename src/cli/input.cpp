@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/usage_error.h"
+#include "level/freeze.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/evaluator.h"
@@ -37,6 +40,13 @@ std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const C
   const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits()).mesh;
   const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
   return std::make_shared<const Mesh>(fitInto(std::move(model.mesh), boundingBox(placed->positions)));
+}
+
+// Of what a frozen sculpture is made from nothing is changed.
+void checkFrozen(const InputOptions& options, const std::string& path) {
+  if (!options.depthScale && !options.unitize) return;
+  throw UsageError(fmt::format("{}: its sculpture is frozen, and {} would change it", path,
+                               options.depthScale ? "--depth-scale" : "--unitize"));
 }
 
 void applyOptions(const InputOptions& options, Level& level) {
@@ -107,7 +117,7 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
   checkOutputs(filesRead(piped ? options.file : path, loaded.level, options.model), outputs,
                common.noClobber);
   sayWarnings(common, loaded.warnings);
-  Input input{path, std::move(loaded.level), nullptr, 0};
+  Input input{path, std::move(loaded.level)};
   if (loaded.isThesisScene && options.model.empty()) {
     throw UsageError(
         path +
@@ -115,17 +125,22 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
         "for example: anamorph match " +
         path + " model.obj");
   }
+  if (input.level.sculpture.frozen && !options.model.empty()) {
+    sayMessage(common, path + ": its sculpture was frozen; with another original it follows again");
+    input.level = following(std::move(input.level));
+  }
+  if (input.level.sculpture.frozen) checkFrozen(options, path);
   if (!options.model.empty()) {
     input.original = replaceOriginal(options, common, path, loaded.isThesisScene, input.level);
   } else {
     const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
     sayWarnings(common, own.warnings);
-    input.original = placeOriginal(*own.mesh, input.level.original.unitize || options.unitize,
-                                   input.level.original.placement);
+    input.level.original.unitize |= options.unitize;
+    input.original = placeOriginal(*own.mesh, input.level);
   }
   applyOptions(options, input.level);
-  if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original->positions).centre();
-  const Box box = boundingBox(input.original->positions);
+  if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original.mesh->positions).centre();
+  const Box box = boundingBox(input.original.mesh->positions);
   if (auto problem = findProblem(input.level, box)) throw Error(*problem, path);
   input.loadSeconds = secondsNow() - start;
   return input;

@@ -12,6 +12,7 @@
 #include "cli/common_options.h"
 #include "cli/output.h"
 #include "level/level.h"
+#include "pipeline/original.h"
 #include "pipeline/picture.h"
 
 namespace anamorph {
@@ -31,14 +32,15 @@ void addInputOptions(CLI::App& command, InputOptions& options);
 struct Input {
   std::string name;  ///< the file, for messages
   Level level;
-  std::shared_ptr<const Mesh> original;  ///< in scene coordinates
+  PlacedOriginal original{nullptr};  ///< in scene coordinates
   double loadSeconds = 0;
 };
 
 /// Reads both files and applies the options. A MODEL for a level is fitted into the box of the level's own
-/// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. `outputs` are
-/// checked as soon as it is known which files are read. Throws Error, also when no sculpture can be made of it, and
-/// UsageError when a scene comes without a MODEL.
+/// original, for a scene of the thesis it keeps its size; --unitize fits it into the unit cube first. A frozen
+/// sculpture is another one's then, and follows again (said). `outputs` are checked as soon as it is known which files
+/// are read. Throws Error, also when no sculpture can be made of it, and UsageError when a scene comes without a MODEL,
+/// or when an option would change a frozen sculpture.
 Input loadInput(const InputOptions& options, const CommonOptions& common,
                 std::span<const Output> outputs = {});
 

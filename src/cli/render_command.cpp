@@ -43,7 +43,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   finished.level = input.level;
   Match match;
   if (kind == PictureKind::original) {
-    finished.original = prepareMesh(input.original, common.threads);  // no sculpture is needed for it
+    finished.original = prepareMesh(input.original.mesh, common.threads);  // no sculpture is needed for it
   } else {
     finished = finishInput(input, common);
   }

@@ -9,6 +9,7 @@
 #include "edit/level_edits.h"
 #include "edit/level_files.h"
 #include "edit/orbit.h"
+#include "level/freeze.h"
 
 namespace anamorph {
 namespace {
@@ -69,6 +70,8 @@ void lookAfresh(Editor& editor) {
   editor.cell.reset();
   editor.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
   editor.display.morph = 1;
+  editor.display.mirror = true;
+  editor.display.alone = ShownAlone::nothing;
   editor.animationSeconds = 0;
 }
 
@@ -116,20 +119,34 @@ Box boxOf(const Editor& editor, const Selection& selection) {
   const Level& level = editor.session.level();
   const Box original = originalBox(editor), sculpture = sculptureBox(editor);
   if (selection.part != Part::none) return boxOf(level, selection, original, sculpture);
-  Box box = boxOf(level.optic);
-  box.extend(original);
-  box.extend(sculpture);
-  if (editor.display.rtCamera) box.extend(level.camera.eye);
+  const DisplaySettings display = shown(editor.display);
+  Box box;
+  if (display.mirror) box.extend(boxOf(level.optic));
+  if (display.originalLook != OriginalLook::hidden) box.extend(original);
+  if (display.sculpture) box.extend(sculpture);
+  if (display.rtCamera) box.extend(level.camera.eye);
   return box;
 }
 
 const std::optional<Construction>& currentConstruction(Editor& editor) {
   static const std::optional<Construction> none;
   const LevelResult& result = editor.updater.result();
-  if (!editor.point || !result.original.mesh) return none;
-  if (!isOn(*result.original.mesh, *editor.point)) return none;
-  if (findProblem(result.level.optic)) return none;
-  return editor.construction.at(makeVertexMap(result.level), pointOn(*result.original.mesh, *editor.point));
+  if (!editor.point || !result.source) return none;
+  if (!isOn(*result.source, *editor.point)) return none;
+  const VertexMap map = makeVertexMap(result.level);
+  if (findProblem(map.optic)) return none;
+  return editor.construction.at(map, pointOn(*result.source, *editor.point));
+}
+
+bool canToggleFrozen(const Editor& editor) {
+  const LevelResult& result = editor.updater.result();
+  return editor.session.level().sculpture.frozen || (result.sculpture.sculpture && !result.problem);
+}
+
+void toggleFrozen(Editor& editor) {
+  editor.session.finishChange();
+  const Level& level = editor.session.level();
+  editor.session.edit(level.sculpture.frozen ? following(level) : frozen(level));
 }
 
 PreparedSculpture shownSculpture(Editor& editor) {

@@ -113,9 +113,14 @@ Box sculptureBox(const Editor& editor);
 /// The box of what is selected, of everything when nothing is.
 Box boxOf(const Editor& editor, const Selection& selection);
 
-/// The vertex ray of the picked point in the level as it is; nothing when none is picked or nothing is there
-/// yet.
+/// The vertex ray of the picked point, of a frozen sculpture the one that it was made by; nothing when none is picked or
+/// nothing is there yet.
 const std::optional<Construction>& currentConstruction(Editor& editor);
+
+/// Whether there is a sculpture to be frozen, or one that is.
+bool canToggleFrozen(const Editor& editor);
+/// Freezes the sculpture (level/freeze.h), or lets it follow again: one step of the history.
+void toggleFrozen(Editor& editor);
 
 /// What the 3D view shows as sculpture: the sculpture, or a state on the way to it (display.morph).
 PreparedSculpture shownSculpture(Editor& editor);

@@ -1,12 +1,14 @@
 // "Show me": the move of a step, made before the student's eyes.
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "edit/editor.h"
 #include "edit/lesson_run.h"
 #include "edit/level_edits.h"
 #include "edit/replacements.h"
+#include "level/freeze.h"
 #include "level/level_fields.h"
 
 namespace anamorph {
@@ -74,7 +76,9 @@ Level begun(const StepMove& move, const Editor& editor) {
     box->segments = *move.segments;
   }
   putRight(level.sculpture.mistakes, move.putRight);
-  return level;
+  if (!move.freeze) return level;
+  level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
+  return frozen(std::move(level));
 }
 
 void playView(Editor& editor, const StepMove& move) {

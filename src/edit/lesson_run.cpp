@@ -136,6 +136,8 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
       return editor.session.undoCount() != begin.undone;
     case StepEvent::exported:
       return editor.exported != begin.exported;
+    case StepEvent::frozen:
+      return level.sculpture.frozen.has_value();
   }
   return false;
 }

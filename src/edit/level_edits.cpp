@@ -130,7 +130,7 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
     case Part::mirror:
       return mode != GizmoMode::rotate || !isRound(level.optic.shape());
     case Part::sculpture:
-      return mode == GizmoMode::scale;
+      return mode == GizmoMode::scale && !level.sculpture.frozen;
     case Part::light:
       return mode == GizmoMode::move && isLight(level, selection);
   }

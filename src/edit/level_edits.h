@@ -7,7 +7,7 @@
 //   original x      x                      along its own axes
 //   mirror   x      x (not a round one)    along its own axes; a round one uniformly
 //   light    x      -                      -
-//   sculpture -     -                      its depth scale, uniformly
+//   sculpture -     -                      its depth scale, uniformly, unless it is frozen
 //
 // Coordinates and sizes stay within those a level file can have, so that whatever was dragged can be saved:
 // scaled to nothing is scaled to 1e-6, which the app then explains. What is not allowed, or not finite,

@@ -7,15 +7,18 @@
 
 #include "anamorphosis/map_points.h"
 #include "edit/level_edits.h"
-#include "pipeline/evaluator.h"
+#include "edit/level_repairs.h"
+#include "edit/level_trial.h"
+#include "pipeline/stages.h"
 
 namespace anamorph {
 namespace {
 
 constexpr double margin = 0.98;
-constexpr double highest = 85;          // degrees: straight from above there is no up any more
-constexpr double fineDegrees = 0.1;     // how well the height is found
-constexpr int coarse = 96, fine = 256;  // pixels
+constexpr double highest = 85;       // degrees: straight from above there is no up any more
+constexpr double heightStep = 2;     // degrees
+constexpr double fineDegrees = 0.1;  // how well the height is found
+constexpr int mostConfirmed = 8;     // places that are looked at closer
 
 // Whether every vertex is mapped when the original is scaled about `centre`.
 class Fits {
@@ -74,7 +77,7 @@ std::pair<Level, std::shared_ptr<const Mesh>> scaledOriginal(const Level& level,
           std::make_shared<const Mesh>(std::move(mesh))};
 }
 
-// The largest factor up to `largest` that is clear in both sizes of image: downwards in steps, then between the last
+// The largest factor up to `largest` that is clear in all sizes of image: downwards in steps, then between the last
 // two. Hiding does not grow with the size in any regular way, so no factor is skipped that a step would meet.
 std::optional<double> largestClear(double largest, const std::function<bool(double, int)>& isClear,
                                    const CancelToken& token) {
@@ -83,13 +86,13 @@ std::optional<double> largestClear(double largest, const std::function<bool(doub
   double bad = largest;
   for (int i = 0; i < steps && !token.cancelled(); ++i, bad *= step) {
     double good = i == 0 ? largest : bad * step;
-    if (!isClear(good, coarse)) continue;
+    if (!isClear(good, coarseTrial)) continue;
     for (int k = 0; k < 4 && i > 0 && !token.cancelled(); ++k) {
       const double middle = 0.5 * (good + bad);
-      (isClear(middle, coarse) ? good : bad) = middle;
+      (isClear(middle, coarseTrial) ? good : bad) = middle;
     }
     for (const double factor : {good, margin * good}) {
-      if (isClear(factor, fine)) return factor;
+      if (isClear(factor, fineTrial) && isClear(factor, fullTrial)) return factor;
     }
     bad = good;
   }
@@ -109,88 +112,160 @@ double heightOf(const Point& eye, const Point& pivot) {
   return std::atan2(arm.z, std::hypot(arm.x, arm.y)) * 180 / pi;
 }
 
-}  // namespace
+// The search for the height of an eye.
+class Lift {
+ public:
+  Lift(const Level& level, std::shared_ptr<const Mesh> placed, Trials& trials)
+      : level_(level),
+        placed_(std::move(placed)),
+        pivot_(boundingBox(placed_->positions).centre()),
+        start_(heightOf(level.camera.eye, pivot_)),
+        trials_(trials),
+        before_(at(start_, fullTrial)) {}
 
-CoarseView coarseView(const Level& level, std::shared_ptr<const Mesh> placed, int size, int threads,
-                      const Progress& progress) {
-  Level small = level;
-  small.sculpture.imageSize = size;
-  small.sculpture.maxTriangles = std::min<std::size_t>(small.sculpture.maxTriangles, 100'000);
-  const auto finished = finishLevel(small, std::move(placed), threads, progress);
-  if (!finished || finished->problem) return {};
-  const Match match = matchLevel(*finished, size, size, threads, progress);
-  if (progress.cancelled()) return {};
-  const bool sound = match.report.comparedPixels > 0 && gradeOf(match.report) != MatchGrade::tooSmall;
-  return {sound, match.report.hiddenShare, match.report.missedShare};
+  bool nothingHidden() const { return before_.sound && before_.hiddenShare == 0; }
+
+  // From below in steps. The first height where nothing is hidden is kept for the case that none is clear.
+  std::optional<Level> search() {
+    std::optional<Level> unhidden;
+    double bad = start_;
+    int confirmed = 0;
+    for (double good = start_ + heightStep;
+         good <= highest && confirmed < mostConfirmed && !trials_.cancelled();
+         bad = good, good += heightStep) {
+      const Trial found = at(good, coarseTrial);
+      if (!isUnhidden(found) || (unhidden && !found.clear())) continue;
+      ++confirmed;
+      const auto lowest = lowestBetween(bad, good, found.clear());
+      if (lowest && found.clear()) return lowest;
+      if (lowest && !unhidden) unhidden = lowest;
+    }
+    return unhidden;
+  }
+
+ private:
+  Level lifted(double degrees) const {
+    Level result = level_;
+    if (degrees != start_) result.camera.eye = clampedPoint(eyeAt(level_.camera.eye, pivot_, degrees));
+    return result;
+  }
+  Trial at(double degrees, int size) { return trials_.at(lifted(degrees), placed_, size); }
+
+  // As a small image tells; a pixel of it is allowed for.
+  bool isUnhidden(const Trial& trial) const {
+    return trial.sound && trial.hiddenShare == 0 && trial.missedShare <= before_.missedShare + 0.005;
+  }
+
+  bool isAnswer(double degrees, bool clear) {
+    const Trial closer = at(degrees, fineTrial);
+    if (!isUnhidden(closer) || (clear && !closer.clear())) return false;
+    const Trial full = at(degrees, fullTrial);
+    return full.sound && full.hiddenShare == 0 && isNoWorse(full, before_) &&
+           (full.clear() || (!clear && full.missedShare <= before_.missedShare));
+  }
+
+  // Small images tell where, larger ones decide; what only those see needs a little more.
+  std::optional<Level> lowestBetween(double bad, double good, bool clear) {
+    const double end = good;
+    while (good - bad > fineDegrees && !trials_.cancelled()) {
+      const double middle = 0.5 * (good + bad);
+      const Trial trial = at(middle, coarseTrial);
+      ((clear ? trial.clear() : isUnhidden(trial)) ? good : bad) = middle;
+    }
+    for (const double degrees : {good, good + 0.2, good + 0.6, end, end + 0.6}) {
+      if (degrees <= highest && !trials_.cancelled() && isAnswer(degrees, clear)) return lifted(degrees);
+    }
+    return std::nullopt;
+  }
+
+  const Level& level_;
+  std::shared_ptr<const Mesh> placed_;
+  Point pivot_;
+  double start_;
+  Trials& trials_;
+  Trial before_;
+};
+
+bool canBeSearched(const Level& level, const std::shared_ptr<const Mesh>& placed) {
+  return placed && !placed->positions.empty() && !level.sculpture.frozen && !findProblem(level.optic) &&
+         !findEyeProblem(level.optic, level.camera.eye) && isFinite(boundingBox(placed->positions).centre());
 }
+
+}  // namespace
 
 std::optional<Level> originalFittedToMirror(const Level& level, std::shared_ptr<const Mesh> placed,
                                             int threads, const Progress& progress) {
-  if (!placed) return std::nullopt;
+  if (!canBeSearched(level, placed)) return std::nullopt;
   const Box box = boundingBox(placed->positions);
-  if (box.empty() || !(box.diagonal() > 0) || !isFinite(box.centre())) return std::nullopt;
-  if (findProblem(level.optic) || findEyeProblem(level.optic, level.camera.eye)) return std::nullopt;
+  if (!(box.diagonal() > 0)) return std::nullopt;
   const auto largest = largestMapped(level, placed->positions, box.centre());
   if (!largest) return std::nullopt;
-  double done = 0;
+  Trials trials(threads, progress, 40);
+  const Trial before = trials.at(level, placed, fullTrial);
   const auto isClear = [&](double factor, int size) {
-    progress.update(done = std::min(0.98, done + 1.0 / 40));
     const auto [scaledLevel, mesh] = scaledOriginal(level, *placed, box.centre(), factor);
-    return coarseView(scaledLevel, mesh, size, threads, {{}, progress.token}).clear();
+    const Trial trial = trials.at(scaledLevel, mesh, size);
+    return trial.clear() && (size < fullTrial || isNoWorse(trial, before));
   };
   const auto factor = largestClear(*largest, isClear, progress.token);
   if (progress.cancelled()) return std::nullopt;
   // What is as good as it can be is not made smaller.
-  if ((!factor || *factor <= 1) && isClear(1, fine)) return level;
-  if (!factor || progress.cancelled()) return std::nullopt;
+  if ((!factor || *factor <= 1) && before.clear()) return level;
+  if (!factor) return std::nullopt;
   return scaledOriginal(level, *placed, box.centre(), *factor).first;
 }
 
 std::optional<Level> eyeLifted(const Level& level, std::shared_ptr<const Mesh> placed, int threads,
                                const Progress& progress) {
-  if (!placed || placed->positions.empty()) return std::nullopt;
-  const Point pivot = boundingBox(placed->positions).centre();
-  const double start = heightOf(level.camera.eye, pivot);
-  const auto lifted = [&](double degrees) {
-    Level result = level;
-    result.camera.eye = clampedPoint(eyeAt(level.camera.eye, pivot, degrees));
-    return result;
+  if (!canBeSearched(level, placed)) return std::nullopt;
+  Trials trials(threads, progress, 60);
+  Lift lift(level, std::move(placed), trials);
+  if (lift.nothingHidden()) return level;
+  auto found = lift.search();
+  return progress.cancelled() ? std::nullopt : found;
+}
+
+std::optional<Level> originalPutBehind(const Level& level, std::shared_ptr<const Mesh> placed, int threads,
+                                       const Progress& progress) {
+  if (!canBeSearched(level, placed)) return std::nullopt;
+  constexpr int steps = 24;
+  constexpr double farthest = 8;
+  const Box box = boundingBox(placed->positions);
+  Trials trials(threads, progress, steps + 4);
+  const Trial before = trials.at(level, placed, fullTrial);
+  const Level nearest = originalMovedBehind(level, box);
+  if (nearest == level && before.clear()) return level;
+  const Vector first = nearest.original.placement.position - level.original.placement.position;
+  const Vector sight = box.centre() + first - level.camera.eye;
+  const auto at = [&](int i) {
+    const Vector way = (std::pow(farthest, double(i) / steps) - 1) * sight;
+    return i == 0 ? nearest : moved(nearest, {Part::original}, way);
   };
-  double done = 0;
-  const auto seen = [&](const Level& candidate, int size) {
-    const CoarseView view = coarseView(candidate, placed, size, threads, {{}, progress.token});
-    progress.update(done = std::min(0.98, done + 1.0 / 32));
-    return view;
+  const auto tried = [&](const Level& candidate, int size) {
+    const Vector way = candidate.original.placement.position - level.original.placement.position;
+    auto mesh = std::make_shared<Mesh>(*placed);
+    mesh->positions = mapPoints(placed->positions, [&](const Point& p) { return p + way; });
+    return trials.at(candidate, mesh, size);
   };
-  const CoarseView now = seen(level, fine);
-  if (now.sound && now.hiddenShare == 0) return level;
-  const double missed = now.sound ? std::max(now.missedShare, 0.005) : 0.005;
-  const auto clear = [&](double degrees, int size) {
-    const CoarseView view = seen(lifted(degrees), size);
-    return view.sound && view.hiddenShare == 0 && view.missedShare <= missed;
-  };
-  if (start >= highest) return std::nullopt;
-  constexpr int steps = 16;
-  const double step = (highest - start) / steps;
-  double bad = start;
-  // Small images find where to look, a larger one decides; what only that one sees needs a little more.
-  for (int i = 1; i <= steps && !progress.cancelled(); ++i) {
-    double good = start + i * step;
-    if (!clear(good, coarse)) {
-      bad = good;
-      continue;
+  std::optional<Level> best;
+  double mostShown = 0;
+  int confirmed = 0;
+  for (int i = 0; i <= steps && !progress.cancelled(); ++i) {
+    const Level candidate = at(i);
+    const Trial trial = tried(candidate, coarseTrial);
+    if (trial.clear() && ++confirmed <= mostConfirmed) {
+      const Trial full = tried(candidate, fullTrial);
+      if (full.clear() && isNoWorse(full, before)) return candidate;
     }
-    while (good - bad > fineDegrees && !progress.cancelled()) {
-      const double middle = 0.5 * (good + bad);
-      (clear(middle, coarse) ? good : bad) = middle;
+    if (trial.sound && trial.shownShare > mostShown) {
+      mostShown = trial.shownShare;
+      best = candidate;
     }
-    for (double more = 0; more < step && good + more <= highest && !progress.cancelled(); more += 0.5) {
-      if (clear(good + more, fine))
-        return progress.cancelled() ? std::nullopt : std::optional(lifted(good + more));
-    }
-    bad = start + i * step;
   }
-  return std::nullopt;
+  if (!best || progress.cancelled()) return std::nullopt;
+  const Trial full = tried(*best, fullTrial);
+  const bool better = full.sound && isNoWorse(full, before) && full.shownShare > before.shownShare;
+  return better && !(*best == level) ? best : std::nullopt;
 }
 
 }  // namespace anamorph

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel_for.h"
+#include "level/freeze.h"
 #include "raytrace/render.h"
 
 namespace anamorph {
@@ -165,9 +166,9 @@ void LiveUpdater::noteSculpture() {
   of_.emptiness.reset();
   of_.sculpture.reset();
   of_.refined.reset();
-  if (!result_.problem) {
-    of_.sculpture = SculptureSubject{result_.original.mesh, makeVertexMap(result_.level)};
-    of_.refined = makeDeformInput(result_.level, result_.original.mesh);
+  if (!result_.sculpture.sculpture->mesh.triangles.empty()) {
+    of_.sculpture = SculptureSubject{result_.source, makeVertexMap(result_.level)};
+    of_.refined = makeDeformInput(result_.level, result_.source);
   }
   if (baseSculpture_ == result_.sculpture && baseOriginal_ == result_.original) return;
   baseOriginal_ = result_.original;
@@ -176,7 +177,7 @@ void LiveUpdater::noteSculpture() {
 }
 
 void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) {
-  const OriginalSettings before = std::exchange(result_.level, level).original;
+  const Level before = std::exchange(result_.level, level);
   result_.complete = false;
   liveTimes_ = {};
   if (!result_.shape || large()) {
@@ -202,28 +203,38 @@ void LiveUpdater::followLevel(const Level& level, const UpdateOptions& options) 
   followMatch(compare);
 }
 
-void LiveUpdater::followOriginal(const OriginalSettings& before) {
+void LiveUpdater::followOriginal(const LevelScene& before) {
   const OriginalSettings& now = result_.level.original;
-  if (now.placement == before.placement && now.unitize == before.unitize) return;
-  if (liveShape_ != result_.shape) {
-    liveOriginal_.emplace(result_.shape, baseOriginal_);
-    liveShape_ = result_.shape;
+  if (!(now.placement == before.original.placement && now.unitize == before.original.unitize)) {
+    if (liveShape_ != result_.shape) {
+      liveOriginal_.emplace(result_.shape, baseOriginal_);
+      liveShape_ = result_.shape;
+    }
+    result_.original = liveOriginal_->place(now.unitize, now.placement, frameThreads_);
+    ++liveCounts_.originals;
   }
-  result_.original = liveOriginal_->place(now.unitize, now.placement, frameThreads_);
-  ++liveCounts_.originals;
+  followSource(sculptureInputs(before));
+}
+
+// Stays the same mesh as long as it is placed alike, so that a frozen sculpture is seen to be made from the same.
+void LiveUpdater::followSource(const SculptureInputs& before) {
+  const SculptureInputs now = sculptureInputs(result_.level);
+  if (now.unitize == before.unitize && now.placement == before.placement) return;
+  result_.source = hasOriginalMoved(result_.level) ? placeOriginal(*result_.shape, now.unitize, now.placement)
+                                                   : result_.original.mesh;
 }
 
 void LiveUpdater::followSculpture() {
   const Level& level = result_.level;
   result_.warnings.clear();
-  result_.problem = findProblem(level, result_.original.box);
+  result_.problem = findSculptureProblem(level, boundingBox(result_.source->positions));
   if (result_.problem) {
     of_.sculpture.reset();
     result_.sculpture = emptySculpture({});
     result_.refined = false;
     return;
   }
-  SculptureSubject subject{result_.original.mesh, makeVertexMap(level)};
+  SculptureSubject subject{result_.source, makeVertexMap(level)};
   if (!(of_.sculpture == subject)) {
     if (!liveSculpture_) liveSculpture_.emplace(baseOriginal_, baseSculpture_);
     result_.sculpture = liveSculpture_->follow(subject.map, subject.original, frameThreads_);
@@ -234,9 +245,11 @@ void LiveUpdater::followSculpture() {
     of_.sculpture = std::move(subject);
   }
   result_.refined = of_.shape == level.original.shape &&  // else another one is being read
-                    of_.refined == makeDeformInput(level, result_.original.mesh);
+                    of_.refined == makeDeformInput(level, result_.source);
   result_.problem = of_.emptiness;
-  if (!result_.problem) result_.warnings = findWarnings(level, result_.sculpture);
+  if (result_.problem) return;
+  result_.warnings = findWarnings(level, result_.sculpture);
+  result_.problem = findProblem(level, result_.original.box);
 }
 
 void LiveUpdater::takeCoarsePictures(bool wantOriginal, bool compare) {

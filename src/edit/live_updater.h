@@ -83,7 +83,8 @@ class LiveUpdater {
   void take(LevelResult evaluated);
   void noteSculpture();
   void followLevel(const Level& level, const UpdateOptions& options);
-  void followOriginal(const OriginalSettings& before);
+  void followOriginal(const LevelScene& before);
+  void followSource(const SculptureInputs& before);
   void followSculpture();
   void takeCoarsePictures(bool wantOriginal, bool compare);
   void followMatch(bool compare);

@@ -118,7 +118,7 @@ Pick pickVertexBeside(const PickInput& input, const Pixel& pixel) {
 
 Pick pickMirror(const PickInput& input, const Ray& ray) {
   const Shape& shape = input.level.optic.shape();
-  if (findShapeProblem(shape)) return {};
+  if (!input.display.mirror || findShapeProblem(shape)) return {};
   const auto hit = intersect(shape, ray);
   return hit ? Pick{{Part::mirror}, {}, {}, hit->t, hit->point} : Pick{};
 }

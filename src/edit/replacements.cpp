@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "edit/level_edits.h"
+#include "level/freeze.h"
 #include "level/limits.h"
 #include "optics/shape_table.h"
 #include "pipeline/original.h"
@@ -63,7 +64,7 @@ OriginalShape builtInShape(std::size_t kind) {
 }
 
 Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, const Box& box) {
-  Level result = level;
+  Level result = following(level);  // what is frozen was the old one's
   OriginalSettings& original = result.original;
   const Box own = boundingBox(mesh.positions);
   original.unitize = false;

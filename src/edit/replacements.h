@@ -20,7 +20,8 @@ OriginalShape builtInShape(std::size_t kind);
 
 /// `shape` for an original: as large as fits `box`, the one of the placed old original, and centred in it,
 /// upright. `mesh` is what the shape is before it is placed. Without a box or points it stands where the old
-/// one stood. A built-in shape gets another size rather than a scale; a box fills the old box.
+/// one stood. A built-in shape gets another size rather than a scale; a box fills the old box. A frozen sculpture
+/// follows again.
 Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, const Box& box);
 
 /// The same for a built-in shape, whose mesh can be made at once.

@@ -14,12 +14,19 @@
 #include "exports/ray_file.h"
 #include "exports/viewing_sheet.h"
 #include "geometry/mesh_files.h"
+#include "level/freeze.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
 namespace {
 
 constexpr double hiddenWorthSaying = 0.005;  // share of the pixels
+
+// What is set up by hand is set up to be right: a frozen sculpture with the mirror and the eye that it was made for.
+LevelResult asMade(LevelResult finished) {
+  finished.level = asMade(std::move(finished.level));
+  return finished;
+}
 
 std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Arrangement& arrangement) {
   std::vector<std::string> warnings;
@@ -43,8 +50,9 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
 
 }  // namespace
 
-std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeSculpture(const LevelResult& shown, const ExportRequest& request,
                                             int /*threads*/, const Progress& progress) {
+  const LevelResult finished = asMade(shown);
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
   Mesh& mesh = arrangement.sculpture;
@@ -63,8 +71,9 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
   return summary;
 }
 
-std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, const ExportRequest& request,
+std::optional<ExportSummary> writeViewingSheet(const LevelResult& shown, const ExportRequest& request,
                                                int /*threads*/, const Progress& progress) {
+  const LevelResult finished = asMade(shown);
   const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   if (!progress.update(0.3)) return std::nullopt;
   const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
@@ -72,9 +81,11 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const bool pdf = lowerEnding(request.path) == ".pdf";
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
-  ExportSummary summary{
-      trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
-      findPlateWarnings(finished, arrangement)};
+  ExportSummary summary{trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
+                        findPlateWarnings(finished, arrangement)};
+  if (shown.level.sculpture.frozen)
+    summary.warnings.emplace_back(
+        tr("the sheet has mirror and eye where they were when the sculpture was frozen"));
   for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
   return summary;
 }
@@ -95,7 +106,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const auto [width, height] = pictureSize(finished.level.grid, request.size);
   std::shared_ptr<const Bvh> plate;
   if (request.basePlate)
-    plate = plateInScene(makeArrangement(finished, request.millimetresPerUnit, request.basePlate));
+    plate = plateInScene(makeArrangement(asMade(finished), request.millimetresPerUnit, request.basePlate));
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4), plate);
   if (progress.cancelled()) return std::nullopt;
   const std::string grade = tr(matchGradeName(gradeOf(match.report)));
@@ -113,8 +124,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  return ExportSummary{trFormat("match report, {}", grade),
-                       writeFile(request.path, page)};
+  return ExportSummary{trFormat("match report, {}", grade), writeFile(request.path, page)};
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
@@ -128,8 +138,7 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  return ExportSummary{trFormat("{} x {} pixels", width, height),
-                       savePng(request.path, *image)};
+  return ExportSummary{trFormat("{} x {} pixels", width, height), savePng(request.path, *image)};
 }
 
 }  // namespace anamorph

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "level/freeze.h"
 #include "math/palette.h"
 #include "raytrace/png.h"
 
@@ -120,7 +121,8 @@ std::string levelSentence(const LevelResult& finished) {
       "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
       "triangles; {}.",
       tr(shapeName(level.optic.shape())), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
-      level.sculpture.depthScale, sculpture.mesh.triangles.size(), shownStatus(sculpture.originalStatus));
+      sculptureInputs(level).depthScale, sculpture.mesh.triangles.size(),
+      shownStatus(sculpture.originalStatus));
 }
 
 }  // namespace
@@ -155,7 +157,10 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
 
 std::string makeMatchPage(const LevelResult& finished, const MatchReport& report,
                           const MatchPictures& pictures) {
-  const auto problem = findMatchProblem(report);
+  std::string remarks;
+  for (const auto& remark : {frozenSentence(finished.level), findMatchProblem(report)}) {
+    if (remark) remarks += " (" + *remark + ")";
+  }
   const std::string title =
       escapeHtml(tr(finished.level.text->title.empty() ? "Anamorphosis" : finished.level.text->title));
   std::string page = fmt::format(
@@ -163,9 +168,9 @@ std::string makeMatchPage(const LevelResult& finished, const MatchReport& report
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
       "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n",
       tr("en"), title, tr("match report"), style);
-  page += fmt::format("<h1>{}</h1>\n<p class=\"grade\">{}: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n",
-                      title, tr("match"), tr(matchGradeName(gradeOf(report))),
-                      levelSentence(finished) + (problem ? " " + *problem + "." : ""));
+  page +=
+      fmt::format("<h1>{}</h1>\n<p class=\"grade\">{}: {}</p>\n<p>{}</p>\n<div class=\"pictures\">\n", title,
+                  tr("match"), tr(matchGradeName(gradeOf(report))), levelSentence(finished) + remarks);
   page += figure(pictures.reflection, "Reflection",
                  isVisible(finished.level.optic) ? tr("what the eye sees in the mirror")
                                                  : tr("what the eye sees of the sculpture"));

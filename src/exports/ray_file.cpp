@@ -39,13 +39,12 @@ class ObjLines {
 
 std::optional<std::string> makeVertexRayObj(const LevelResult& finished, int count, double millimetresPerUnit,
                                             const Progress& progress) {
-  const Level& level = finished.level;
-  const VertexMap map = makeVertexMap(level);
-  const PointArray& vertices = finished.original.mesh->positions;
+  const VertexMap map = makeVertexMap(finished.level);
+  const PointArray& vertices = finished.source->positions;
   const std::size_t wanted = std::min<std::size_t>(std::max(count, 0), vertices.size());
   ObjLines file(millimetresPerUnit);
   file.write("# vertex rays: from the eye to the mirror to the sculpture, made by Anamorph\no vertex_rays\n");
-  const std::size_t eye = file.add(level.camera.eye);
+  const std::size_t eye = file.add(map.eye);
   std::size_t notMapped = 0;
   for (std::size_t i = 0; i < wanted; ++i) {
     if (i % 4096 == 0 && !progress.update(double(i) / double(wanted))) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +75,13 @@ class FieldReader {
   template <typename Part>
   void object(const char* key, Part&& part) {
     if (const JsonValue* json = find(key)) readObject(*json, pathOf(key), part);
+  }
+
+  /// An object that may be absent; then there is no part.
+  template <typename Part>
+  void optionalObject(const char* key, std::optional<Part>& part) {
+    part.reset();
+    if (has(key)) object(key, part.emplace());
   }
 
   /// An array of at most `most` objects; it replaces `parts`.

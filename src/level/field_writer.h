@@ -5,6 +5,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -53,6 +54,11 @@ class FieldWriter {
   template <typename Part>
   void object(const char* key, Part&& part) {
     add(key, writeObject(joinJsonPath(path_, key), part));
+  }
+
+  template <typename Part>
+  void optionalObject(const char* key, std::optional<Part>& part) {
+    if (part) object(key, *part);
   }
 
   template <typename Part>

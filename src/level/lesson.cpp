@@ -114,6 +114,7 @@ static void fields(FieldReader& at, StepMove& move) {
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);
   at.field("undo", move.undo);
+  at.field("freeze", move.freeze);
 }
 
 static void fields(FieldReader& at, StepShow& show) {

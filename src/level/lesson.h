@@ -50,14 +50,17 @@ enum class StepEvent {
   putRight,  ///< what: "direction", "distance", "normal"
   undone,
   exported,
+  frozen,  ///< the sculpture
 };
-inline constexpr std::array stepEvents{
-    "movedEye",         "movedOriginal",     "movedMirror",  "changedOriginal",
-    "changedMirror",    "depthScaleChanged", "toleranceOff", "toleranceOn",
-    "pickedPixel",      "pickedVertex",      "viewed",       "lookedThrough",
-    "rotatedView",      "morphed",           "raysOf",       "animatedRays",
-    "wireframe",        "matchAbove",        "matchBelow",   "hiddenShareAbove",
-    "hiddenShareBelow", "putRight",          "undone",       "exported"};
+inline constexpr std::array stepEvents{"movedEye",        "movedOriginal",    "movedMirror",
+                                       "changedOriginal", "changedMirror",    "depthScaleChanged",
+                                       "toleranceOff",    "toleranceOn",      "pickedPixel",
+                                       "pickedVertex",    "viewed",           "lookedThrough",
+                                       "rotatedView",     "morphed",          "raysOf",
+                                       "animatedRays",    "wireframe",        "matchAbove",
+                                       "matchBelow",      "hiddenShareAbove", "hiddenShareBelow",
+                                       "putRight",        "undone",           "exported",
+                                       "frozen"};
 
 struct StepCondition {
   StepEvent when = StepEvent::movedEye;
@@ -86,6 +89,7 @@ struct StepMove {
   bool animate = false;  ///< the rays
   bool wireframe = false;
   bool undo = false;
+  bool freeze = false;  ///< the sculpture, before anything but the depth scale has moved
   bool operator==(const StepMove&) const = default;
 };
 

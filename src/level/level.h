@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -76,6 +77,17 @@ struct OriginalSettings {
   bool operator==(const OriginalSettings&) const = default;
 };
 
+/// What a sculpture is made from, but for the original's shape and how finely it is divided.
+struct SculptureInputs {
+  Optic optic;
+  Camera camera;         ///< its eye; by the rest of it the fineness is measured
+  bool unitize = false;  ///< this and the next of the original
+  Placement placement;
+  double depthScale = 1;
+  Mistakes mistakes;
+  bool operator==(const SculptureInputs&) const = default;
+};
+
 struct SculptureSettings {
   double depthScale = 1;               ///< k of the method, section 2
   double tolerancePixels = 0.25;       ///< refinement (section 5); 0: off, the original's own vertices
@@ -83,6 +95,8 @@ struct SculptureSettings {
   int imageSize = 512;                 ///< height in pixels of the image that the tolerance is meant for
   Mistakes mistakes;                   ///< of the thesis' published formulas, made on purpose
   Material material{.color = {0.72, 0.36, 0.22}};
+  /// Kept while the sculpture is frozen (freeze.h): it is made from these, whatever the level's own are by now.
+  std::optional<SculptureInputs> frozen;
   bool operator==(const SculptureSettings&) const = default;
 };
 

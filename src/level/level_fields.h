@@ -65,6 +65,13 @@ void fields(At& at, MirrorLook& look) {
   at.field("reflectance", look.reflectance, limits::fractions);
 }
 
+template <typename At>
+void fields(At& at, Optic& optic) {
+  at.need({"kind", "shape"});
+  at.choice("kind", optic.parts.front().kind, opticKinds);
+  at.object("shape", optic.shape());
+}
+
 /// In the file, the look belongs to the optic.
 struct OpticFields {
   Optic& optic;
@@ -73,10 +80,18 @@ struct OpticFields {
 
 template <typename At>
 void fields(At& at, OpticFields& part) {
-  at.need({"kind", "shape"});
-  at.choice("kind", part.optic.parts.front().kind, opticKinds);
-  at.object("shape", part.optic.shape());
+  fields(at, part.optic);
   at.object("look", part.look);
+}
+
+template <typename At>
+void fields(At& at, Camera& camera) {
+  at.need({"eye", "target"});
+  at.field("eye", camera.eye, limits::coordinates);
+  at.field("target", camera.target, limits::coordinates);
+  at.field("up", camera.up, limits::coordinates);
+  at.expect(glm::length(camera.up) >= limits::lengths.min, "up", "a vector that is not 0");
+  at.field("fovDegrees", camera.fovDegrees, limits::fieldOfView.level);
 }
 
 /// In the file, the pixel grid belongs to the camera.
@@ -87,13 +102,7 @@ struct CameraFields {
 
 template <typename At>
 void fields(At& at, CameraFields& part) {
-  Camera& camera = part.camera;
-  at.need({"eye", "target"});
-  at.field("eye", camera.eye, limits::coordinates);
-  at.field("target", camera.target, limits::coordinates);
-  at.field("up", camera.up, limits::coordinates);
-  at.expect(glm::length(camera.up) >= limits::lengths.min, "up", "a vector that is not 0");
-  at.field("fovDegrees", camera.fovDegrees, limits::fieldOfView.level);
+  fields(at, part.camera);
   at.pair("grid", part.grid.columns, part.grid.rows, limits::gridCells);
   at.field("screenDistance", part.grid.distance, limits::gridDistance.level);
 }
@@ -182,6 +191,18 @@ void fields(At& at, Mistakes& mistakes) {
   at.field("normal", mistakes.normal);
 }
 
+/// All of them are needed: what is left out would be another sculpture.
+template <typename At>
+void fields(At& at, SculptureInputs& inputs) {
+  at.need({"optic", "camera", "unitize", "placement", "depthScale"});
+  at.object("optic", inputs.optic);
+  at.object("camera", inputs.camera);
+  at.field("unitize", inputs.unitize);
+  at.object("placement", inputs.placement);
+  at.field("depthScale", inputs.depthScale, limits::depthScale.level);
+  at.object("mistakes", inputs.mistakes);
+}
+
 template <typename At>
 void fields(At& at, SculptureSettings& sculpture) {
   at.field("depthScale", sculpture.depthScale, limits::depthScale.level);
@@ -190,6 +211,7 @@ void fields(At& at, SculptureSettings& sculpture) {
   at.field("imageSize", sculpture.imageSize, limits::imageSize);
   at.object("mistakes", sculpture.mistakes);
   at.object("material", sculpture.material);
+  at.optionalObject("frozen", sculpture.frozen);
 }
 
 template <typename At>

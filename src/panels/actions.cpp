@@ -118,6 +118,22 @@ void toggleParallel(Editor& editor, UiState&) {
   editor.pose = togglePerspective(editor.pose);
 }
 
+void toggleFrozen(Editor& editor, UiState& ui) {
+  letGo(editor, ui);
+  anamorph::toggleFrozen(editor);
+}
+
+template <ShownAlone thing>
+void toggleAlone(Editor& editor, UiState&) {
+  ShownAlone& alone = editor.display.alone;
+  alone = alone == thing ? ShownAlone::nothing : thing;
+}
+
+template <ShownAlone thing>
+bool isAlone(const Editor& editor, const UiState&) {
+  return editor.display.alone == thing;
+}
+
 // Panels make room for the view and the large words.
 void togglePresenting(Editor&, UiState& ui) {
   ui.presenting = !ui.presenting;
@@ -165,6 +181,10 @@ constexpr std::array<ActionRow, actionCount> table{{
     {Action::toggleLocal, "Own axes", "The gizmo has the axes of the scene, or the selection's own", {{tab}},
      [](Editor& editor, UiState&) { editor.gizmoLocal = !editor.gizmoLocal; }, always,
      [](const Editor& editor, const UiState&) { return editor.gizmoLocal; }},
+    {Action::toggleFrozen, "Freeze the sculpture",
+     "It stays as it is, while eye, original and mirror move; again: it follows", {{'P'}}, toggleFrozen,
+     [](const Editor& editor, const UiState&) { return canToggleFrozen(editor); },
+     [](const Editor& editor, const UiState&) { return editor.session.level().sculpture.frozen.has_value(); }},
     {Action::lookThrough, "Look through the RT camera", "And back to where you were", {{'0'}, {pad0}},
      [](Editor& editor, UiState&) { toggleLookThrough(editor); }, always,
      [](const Editor& editor, const UiState&) { return editor.lookingThrough; }},
@@ -179,6 +199,15 @@ constexpr std::array<ActionRow, actionCount> table{{
     {Action::viewTop, "From above", "Along the z axis", {{'7'}, {pad0 + 7}}, flyToSide<ViewSide::top>},
     {Action::toggleParallel, "Parallel rays", "Orthographic view and back", {{'5'}, {pad0 + 5}},
      toggleParallel, always, [](const Editor& editor, const UiState&) { return editor.pose.orthographic; }},
+    {Action::hideMirror, "Hide the mirror", "In the 3D view, and show it again", {{'H'}},
+     [](Editor& editor, UiState&) { editor.display.mirror = !editor.display.mirror; }, always,
+     [](const Editor& editor, const UiState&) { return !editor.display.mirror; }},
+    {Action::originalAlone, "Show only the original", "In the 3D view; again: everything", {{'1', alt}},
+     toggleAlone<ShownAlone::original>, always, isAlone<ShownAlone::original>},
+    {Action::sculptureAlone, "Show only the sculpture", "In the 3D view; again: everything", {{'2', alt}},
+     toggleAlone<ShownAlone::sculpture>, always, isAlone<ShownAlone::sculpture>},
+    {Action::mirrorAlone, "Show only the mirror", "In the 3D view; again: everything", {{'3', alt}},
+     toggleAlone<ShownAlone::mirror>, always, isAlone<ShownAlone::mirror>},
     {Action::pauseRays, "Pause the rays", "While they are animated", {{space}},
      [](Editor& editor, UiState&) { editor.animationPaused = !editor.animationPaused; },
      [](const Editor& editor, const UiState&) { return editor.rays.animate; },

@@ -37,7 +37,9 @@ bool cameraRows(Editor& editor, const UiState& ui, Level& level) {
   bool changed = false;
   if (section(ui, "RT camera")) {
     changed |= vectorRow("Eye", camera.eye, coordinates,
-                         "Where the viewer's eye is. The sculpture is made for this one point.");
+                         level.sculpture.frozen
+                             ? "Where the viewer's eye is. The sculpture is frozen and does not follow it."
+                             : "Where the viewer's eye is. The sculpture is made for this one point.");
     problemText(ui, eyeProblem(level));
     changed |= vectorRow("Looks at", camera.target, coordinates,
                          "The middle of its image. Where it looks does not change the sculpture.");

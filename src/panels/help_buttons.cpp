@@ -7,7 +7,6 @@
 
 #include "base/language.h"
 #include "edit/level_helpers.h"
-#include "edit/level_repairs.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
@@ -39,6 +38,20 @@ EditResult fit(const Level& level, const std::shared_ptr<const Mesh>& placed, co
   return {fitted, trFormat("The original is {:.3g} times as large now.", factor)};
 }
 
+EditResult putBehind(const Level& level, const std::shared_ptr<const Mesh>& placed,
+                     const Progress& progress) {
+  auto behind = originalPutBehind(level, placed, 1, progress);
+  if (!behind) {
+    return {
+        std::nullopt,
+        tr("Nowhere along the line of sight is more of it seen in the mirror. Make the original smaller or "
+           "the mirror larger, or turn the eye to the mirror's middle.")};
+  }
+  if (*behind == level)
+    return {std::nullopt, tr("The original is behind the mirror already, and all of it is seen.")};
+  return {behind, tr("The original is behind the mirror now.")};
+}
+
 // What a button finds for a level and its placed original.
 using Search = EditResult (*)(const Level&, const std::shared_ptr<const Mesh>&, const Progress&);
 
@@ -62,44 +75,46 @@ bool jobProgress(Editor& editor) {
   return true;
 }
 
+// Its sculpture would not follow, so moving the eye or the original could only spoil what it shows.
+bool searchButton(const Editor& editor, const char* name, const char* help) {
+  const bool frozen = editor.session.level().sculpture.frozen.has_value();
+  return wideButton(name, frozen ? "The sculpture is frozen: let it follow again first." : help,
+                    !frozen && editor.updater.result().original.mesh != nullptr);
+}
+
 }  // namespace
 
 void startFit(Editor& editor) {
   startSearch(editor, tr("Fitting the original"), fit);
 }
 
-void fitButton(Editor& editor) {
-  if (jobProgress(editor)) return;
-  if (wideButton("Fit to the mirror",
-                 "As large as it can be about its middle while all of it is seen in the mirror and nothing "
-                 "is hidden, less 2 %.",
-                 editor.updater.result().original.mesh != nullptr)) {
-    startFit(editor);
-  }
-}
-
-void behindButton(Editor& editor) {
-  if (!wideButton("Put behind the mirror",
-                  "Along the line of sight, until all of it is behind the mirror as the eye sees it.")) {
-    return;
-  }
-  editor.session.finishChange();
-  const Level behind = originalMovedBehind(editor.session.level(), originalBox(editor));
-  if (behind == editor.session.level()) editor.message = tr("The original is behind the mirror already.");
-  editor.session.edit(behind);
+void startBehind(Editor& editor) {
+  startSearch(editor, tr("Putting it behind the mirror"), putBehind);
 }
 
 void startLift(Editor& editor) {
   startSearch(editor, tr("Lifting the eye"), lift);
 }
 
+void originalButtons(Editor& editor) {
+  if (jobProgress(editor)) return;
+  if (searchButton(editor, "Fit to the mirror",
+                   "As large as it can be about its middle while all of it is seen in the mirror and nothing "
+                   "is hidden, less 2 %.")) {
+    startFit(editor);
+  }
+  if (searchButton(editor, "Put behind the mirror",
+                   "Along the line of sight, to where all of it is behind the mirror and nothing of it is "
+                   "hidden or missed; else to where most of it is seen.")) {
+    startBehind(editor);
+  }
+}
+
 void liftButton(Editor& editor) {
   if (jobProgress(editor)) return;
-  if (wideButton("Lift until nothing is hidden",
-                 "The sculpture may stand in its own way. The eye goes up around the original, at the same "
-                 "distance, "
-                 "as little as is needed.",
-                 editor.updater.result().original.mesh != nullptr)) {
+  if (searchButton(editor, "Lift until nothing is hidden",
+                   "The sculpture may stand in its own way. The eye goes up around the original, at the same "
+                   "distance, as little as is needed.")) {
     startLift(editor);
   }
 }

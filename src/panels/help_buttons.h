@@ -7,16 +7,15 @@
 
 namespace anamorph {
 
-/// Begins the search for the largest original that the mirror shows, in the background; while it runs, how far it
-/// is and a way to stop it.
-void fitButton(Editor& editor);
-/// Puts the original behind the mirror.
-void behindButton(Editor& editor);
+/// Begin the search for the largest original that the mirror shows, or for its place behind it, in the background; while
+/// one runs, how far it is and a way to stop it. Grey while the sculpture is frozen.
+void originalButtons(Editor& editor);
 /// Likewise for an eye that nothing stands in the way of.
 void liftButton(Editor& editor);
 
 /// The same without a button.
 void startFit(Editor& editor);
+void startBehind(Editor& editor);
 void startLift(Editor& editor);
 
 }  // namespace anamorph

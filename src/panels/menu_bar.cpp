@@ -62,6 +62,8 @@ void editMenu(Editor& editor, UiState& ui) {
         editor, ui);
   ImGui::Separator();
   items({Action::moveMode, Action::rotateMode, Action::scaleMode, Action::toggleLocal}, editor, ui);
+  ImGui::Separator();
+  item(Action::toggleFrozen, editor, ui);
 }
 
 void viewMenu(Editor& editor, UiState& ui) {
@@ -70,6 +72,8 @@ void viewMenu(Editor& editor, UiState& ui) {
   items({Action::frameSelection, Action::frameAll, Action::viewFront, Action::viewRight, Action::viewTop,
          Action::toggleParallel},
         editor, ui);
+  ImGui::Separator();
+  items({Action::hideMirror, Action::originalAlone, Action::sculptureAlone, Action::mirrorAlone}, editor, ui);
   ImGui::Separator();
   items({Action::pauseRays, Action::rayStepForward, Action::rayStepBack, Action::hidePanels,
          Action::nextPanel, Action::fullscreen, Action::present},

@@ -108,8 +108,7 @@ void drawOriginalProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
     problemText(ui, missedText(editor.updater.result()));
-    fitButton(editor);
-    behindButton(editor);
+    originalButtons(editor);
   }
   if (section(ui, "Shown as")) {
     int look = static_cast<int>(editor.display.originalLook);

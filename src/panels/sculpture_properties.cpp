@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "base/language.h"
+#include "panels/highlight.h"
 #include "panels/material_rows.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -13,10 +14,29 @@
 namespace anamorph {
 namespace {
 
+void frozenRows(Editor& editor, const UiState& ui) {
+  constexpr const char* freeze = "Freeze the sculpture";
+  const auto frozen = frozenSentence(editor.session.level());
+  if (frozen) quietText(ui, (capitalised(*frozen) + ".").c_str());
+  const bool pressed =
+      wideButton(frozen ? "Let it follow again" : freeze,
+                 frozen ? "It is made for the eye as it is now."
+                        : "It stays as it is. Move the eye, the original or the mirror then: the match tells "
+                          "what it is still worth.",
+                 canToggleFrozen(editor));
+  if (frozen) highlightItem(freeze);  // the same control, which "show me" has pressed at once
+  if (pressed) toggleFrozen(editor);
+}
+
+// Of a frozen sculpture only the fineness can be changed.
 bool deformationRows(SculptureSettings& sculpture) {
+  const bool frozen = sculpture.frozen.has_value();
+  double& depthScale = frozen ? sculpture.frozen->depthScale : sculpture.depthScale;
+  ImGui::BeginDisabled(frozen);
   bool changed = sliderRow(
-      "Depth scale k", sculpture.depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
+      "Depth scale k", depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
       "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
+  ImGui::EndDisabled();
   bool refine = sculpture.tolerancePixels > 0;
   if (checkRow("Refine", refine,
                "Split the triangles until their edges are straight in the mirror. Off: the original's own "
@@ -93,8 +113,14 @@ void constructionRows(Editor& editor, const UiState& ui) {
 void drawSculptureProperties(Editor& editor, UiState& ui) {
   Level level = editor.session.level();
   bool changed = false;
-  if (section(ui, "Deformation")) changed |= deformationRows(level.sculpture);
-  changed |= formulaRows(ui, editor, level.sculpture.mistakes);
+  if (section(ui, "Deformation")) {
+    changed |= deformationRows(level.sculpture);
+    frozenRows(editor, ui);
+  }
+  auto& frozen = level.sculpture.frozen;
+  ImGui::BeginDisabled(frozen.has_value());
+  changed |= formulaRows(ui, editor, frozen ? frozen->mistakes : level.sculpture.mistakes);
+  ImGui::EndDisabled();
   if (section(ui, "Result")) resultRows(editor);
   if (section(ui, "Vertex ray")) constructionRows(editor, ui);
   if (section(ui, "Shown as")) {

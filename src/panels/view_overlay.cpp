@@ -214,7 +214,9 @@ void drawView(Editor& editor, UiState& ui) {
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
-  if (const auto& construction = currentConstruction(editor)) drawConstruction(ink, *construction);
+  const bool alone = editor.display.alone != ShownAlone::nothing;
+  if (const auto& construction = currentConstruction(editor); construction && !alone)
+    drawConstruction(ink, *construction);
   drawGizmo(ink,
             emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
@@ -222,8 +224,10 @@ void drawView(Editor& editor, UiState& ui) {
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
   drawProblem(editor, ui);
-  if (!ui.bare) drawViewProblem(ui);
-  if (ui.preferences.legend && editor.rays.show && !ui.bare) drawLegend(editor, ui);
+  if (ui.bare) return;
+  drawViewSigns(editor, ui);
+  drawViewProblem(ui);
+  if (ui.preferences.legend && editor.rays.show && !alone) drawLegend(editor, ui);
 }
 
 }  // namespace anamorph

@@ -164,9 +164,10 @@ ShownGizmo currentGizmo(const Editor& editor, const Look& look) {
 }
 
 Pick pickAt(Editor& editor, const Look& look, const Pixel& pixel) {
-  const PreparedSculpture shown = shownSculpture(editor);
-  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original, shown,
-               editor.display, editor.selection, look.scale},
+  const PreparedSculpture sculpture = shownSculpture(editor);
+  const DisplaySettings display = shown(editor.display);
+  return pick({projectionOf(editor), editor.updater.result().level, editor.updater.result().original,
+               sculpture, display, editor.selection, look.scale},
               pixel);
 }
 

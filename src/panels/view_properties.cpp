@@ -45,6 +45,14 @@ void drawViewProperties(Editor& editor, UiState& ui) {
         sliderRow("Field of view", editor.pose.fovDegrees, {limits::viewFieldOfView.panel, 0.1, "%.1f°"})) {
       takeOverView(editor);
     }
+    int alone = static_cast<int>(editor.display.alone);
+    if (choiceRow("Show only", alone, {"Everything", "Original", "Sculpture", "Mirror"},
+                  "One thing alone, without rays, RT camera and lights.")) {
+      editor.display.alone = static_cast<ShownAlone>(alone);
+    }
+    bool hidden = !editor.display.mirror;
+    if (checkRow("Hide the mirror", hidden, "What it shows is seen in the preview all the same."))
+      editor.display.mirror = !hidden;
     checkRow("Legend", preferences.legend, "What the colours and line styles of the rays mean.");
   }
   if (section(ui, "Title and description", false)) levelWords(editor);

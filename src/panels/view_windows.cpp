@@ -1,6 +1,7 @@
 #include "panels/view_windows.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <variant>
 
@@ -68,12 +69,13 @@ void sceneRepairs(Editor& editor) {
     if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(outside);
     ImGui::SameLine();
   } else if (!findProblem(level.optic)) {
-    const Level behind = originalMovedBehind(level, box);
-    if (behind == level && !box.empty()) {
-      if (ImGui::Button(tr("Fit to the mirror"))) startFit(editor);
+    const bool isBehind = originalMovedBehind(level, box) == level;
+    if (level.sculpture.frozen) {
+      if (ImGui::Button(tr("Let it follow again"))) toggleFrozen(editor);
       ImGui::SameLine();
-    } else if (!(behind == level)) {
-      if (ImGui::Button(tr("Put the original behind the mirror"))) editor.session.edit(behind);
+    } else if (!isBehind || !box.empty()) {
+      if (ImGui::Button(tr(isBehind ? "Fit to the mirror" : "Put the original behind the mirror")))
+        isBehind ? startFit(editor) : startBehind(editor);
       ImGui::SameLine();
     }
   }
@@ -131,16 +133,52 @@ void drawProblem(Editor& editor, UiState& ui) {
   beginFloating(ui, "##problem", {0.5f, 0.16f}, 0.94f, 8);
   {
     const FontScope strong(ui.fonts.strong);
-    ImGui::TextColored(ink::bad(ui.theme), "%s", tr("There is no sculpture"));
+    const bool isThere = !sculptureBox(editor).empty();  // a frozen one
+    ImGui::TextColored(ink::bad(ui.theme), "%s",
+                       tr(isThere ? "There is nothing to compare" : "There is no sculpture"));
   }
   paragraph(capitalised(*problem), wrapAt(ui, 460));
   repairButtons(editor, ui);
   ImGui::End();
 }
 
+void drawViewSigns(Editor& editor, UiState& ui) {
+  struct Sign {
+    bool shown;
+    const char *text, *button;
+    void (*undo)(Editor&);
+  };
+  const DisplaySettings& display = editor.display;
+  const bool alone = display.alone != ShownAlone::nothing;
+  const Sign signs[] = {
+      {editor.session.level().sculpture.frozen.has_value(), "Sculpture frozen", "Let it follow again",
+       toggleFrozen},
+      {alone, "Only one thing is shown", "Show everything",
+       [](Editor& e) { e.display.alone = ShownAlone::nothing; }},
+      {!alone && !display.mirror, "The mirror is hidden", "Show the mirror",
+       [](Editor& e) { e.display.mirror = true; }},
+  };
+  const auto isShown = [](const Sign& sign) { return sign.shown; };
+  if (std::none_of(std::begin(signs), std::end(signs), isShown)) return;
+  const bool narrow = ui.layout.view.width < scaled(ui, 520);  // the legend is beside it
+  beginFloating(ui, "##signs", {0, 0}, 0.94f, 6);
+  for (const Sign& sign : signs) {
+    if (!sign.shown) continue;
+    if (!narrow) ImGui::AlignTextToFramePadding();
+    {
+      const FontScope strong(ui.fonts.strong);
+      ImGui::TextUnformatted(tr(sign.text));
+    }
+    if (!narrow) ImGui::SameLine();
+    if (ImGui::Button(label(sign.button).c_str())) sign.undo(editor);
+    highlightItem(sign.button);
+  }
+  ImGui::End();
+}
+
 void drawViewProblem(const UiState& ui) {
   if (ui.viewProblem.empty() && !ui.preparingView) return;
-  beginFloating(ui, "##view-problem", {0, 0}, 0.94f, 6);
+  beginFloating(ui, "##view-problem", {0, 0.16f}, 0.94f, 6);
   ImGui::PushStyleColor(ImGuiCol_Text, ink::middling(ui.theme));
   if (ui.preparingView) paragraph(tr("The 3D view is being prepared for this machine..."), wrapAt(ui, 320));
   if (!ui.viewProblem.empty()) paragraph(capitalised(ui.viewProblem), wrapAt(ui, 320));

@@ -9,6 +9,9 @@ namespace anamorph {
 void drawViewButtons(Editor& editor, UiState& ui);
 /// Nothing when all is well.
 void drawProblem(Editor& editor, UiState& ui);
+/// What the view shows otherwise than usual, a frozen sculpture above all, each with the way back; nothing when all is as
+/// usual.
+void drawViewSigns(Editor& editor, UiState& ui);
 /// What of the level the 3D view cannot show, in a corner of it; nothing when it shows all.
 void drawViewProblem(const UiState& ui);
 void drawLegend(const Editor& editor, const UiState& ui);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "level/freeze.h"
+
 namespace anamorph {
 
 // Cancelled is thrown through Memo, so that nothing half-made is kept, and caught here.
@@ -10,31 +12,32 @@ namespace anamorph {
 void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress& progress) {
   const Level& level = result.level;
   result.refined = true;
-  result.problem = findProblem(level, result.original.box);
+  result.problem = findSculptureProblem(level, boundingBox(result.source->positions));
   if (result.problem) {
     result.sculpture = emptySculpture({});
     return;
   }
-  result.sculpture =
-      sculpture_.get(makeDeformInput(level, result.original.mesh), [&](const DeformInput& input) {
-        Sculpture sculpture = makeSculpture(input, threads, progress);
-        if (progress.cancelled()) throw Cancelled();
-        return prepareSculpture(std::move(sculpture), threads);
-      });
+  result.sculpture = sculpture_.get(makeDeformInput(level, result.source), [&](const DeformInput& input) {
+    Sculpture sculpture = makeSculpture(input, threads, progress);
+    if (progress.cancelled()) throw Cancelled();
+    return prepareSculpture(std::move(sculpture), threads);
+  });
   const Sculpture& sculpture = *result.sculpture.sculpture;
   result.problem = findEmptiness(sculpture);
   if (!result.problem) {
     result.warnings = findWarnings(level, result.sculpture);
-  } else if (!sculpture.mesh.triangles.empty()) {  // triangles without area
+    result.problem = findProblem(level, result.original.box);  // of a frozen one, which is there all the same
+  } else if (!sculpture.mesh.triangles.empty()) {              // triangles without area
     result.sculpture = emptySculpture(sculpture.originalStatus);
   }
 }
 
-std::optional<LevelResult> Evaluator::deform(const Level& level, std::shared_ptr<const Mesh> original,
-                                             int threads, const Progress& progress) {
+std::optional<LevelResult> Evaluator::deform(const Level& level, PlacedOriginal original, int threads,
+                                             const Progress& progress) {
   LevelResult result;
   result.level = level;
-  result.original = prepareMesh(std::move(original), threads);
+  result.original = prepareMesh(std::move(original.mesh), threads);
+  result.source = std::move(original.source);
   try {
     makeSculptureOf(result, threads, progress);
   } catch (const Cancelled&) {
@@ -98,9 +101,9 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
     if (progress.cancelled()) throw Cancelled();
   };
   try {
-    const LoadedOriginal loaded = shape_.get({level.original.shape, input.levelPath}, [&](const ShapeKey& key) {
-      return loadOriginal(key.shape, key.levelPath, {}, &progress.token);
-    });
+    const LoadedOriginal loaded = shape_.get(
+        {level.original.shape, input.levelPath},
+        [&](const ShapeKey& key) { return loadOriginal(key.shape, key.levelPath, {}, &progress.token); });
     result.shape = loaded.mesh;
     result.shapeWarnings = loaded.warnings;
     if (progress.cancelled()) return std::nullopt;
@@ -108,6 +111,12 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
         {result.shape, level.original.unitize, level.original.placement}, [&](const PlaceKey& key) {
           return prepareMesh(placeOriginal(*key.shape, key.unitized, key.placement), threads);
         });
+    // Asked for always, so that freezing and moving the original find the mesh that the sculpture was made from.
+    const SculptureInputs inputs = sculptureInputs(level);
+    result.source = source_.get({result.shape, inputs.unitize, inputs.placement}, [&](const PlaceKey& key) {
+      if (!hasOriginalMoved(level)) return result.original.mesh;
+      return placeOriginal(*key.shape, key.unitized, key.placement);
+    });
     if (!progress.update(0.15)) return std::nullopt;
     makeSculptureOf(result, threads, partOf(progress, 0.15, 0.5));
     tell();
@@ -122,7 +131,7 @@ std::optional<LevelResult> Evaluator::evaluate(const EvaluationInput& input, int
   return result;
 }
 
-std::optional<LevelResult> finishLevel(const Level& level, std::shared_ptr<const Mesh> original, int threads,
+std::optional<LevelResult> finishLevel(const Level& level, PlacedOriginal original, int threads,
                                        const Progress& progress) {
   return Evaluator().deform(level, std::move(original), threads, progress);
 }

@@ -40,7 +40,7 @@ class Evaluator {
 
   /// Original and sculpture of a level whose original is in scene coordinates, with what is wrong and what is
   /// worth knowing; no match, no pictures. Nothing when cancelled.
-  std::optional<LevelResult> deform(const Level& level, std::shared_ptr<const Mesh> original, int threads,
+  std::optional<LevelResult> deform(const Level& level, PlacedOriginal original, int threads,
                                     const Progress& progress = {});
 
  private:
@@ -78,6 +78,7 @@ class Evaluator {
 
   Memo<ShapeKey, LoadedOriginal> shape_;
   Memo<PlaceKey, PreparedMesh> original_;
+  Memo<PlaceKey, std::shared_ptr<const Mesh>> source_;
   Memo<DeformInput, PreparedSculpture> sculpture_;
   Memo<MatchInput, SharedMatch> match_, previewMatch_;
   Memo<PictureKey, SharedImage> reflection_, originalPicture_;
@@ -86,7 +87,7 @@ class Evaluator {
 
 /// Evaluator::deform, once. Nothing when cancelled. Does not throw for what a student can set up: then there is a
 /// problem, and the sculpture is empty.
-std::optional<LevelResult> finishLevel(const Level& level, std::shared_ptr<const Mesh> original,
-                                       int threads = 1, const Progress& progress = {});
+std::optional<LevelResult> finishLevel(const Level& level, PlacedOriginal original, int threads = 1,
+                                       const Progress& progress = {});
 
 }  // namespace anamorph

@@ -26,8 +26,9 @@ struct LevelResult {
   Level level;
   std::shared_ptr<const Mesh> shape;  ///< the original before it is placed
   PreparedMesh original;
-  PreparedSculpture sculpture;         ///< without triangles when there is a problem
-  std::optional<std::string> problem;  ///< why there is no sculpture, and what to do
+  std::shared_ptr<const Mesh> source;  ///< PlacedOriginal::source of original.h
+  PreparedSculpture sculpture;         ///< without triangles when there is a problem, unless it is frozen
+  std::optional<std::string> problem;  ///< why there is no sculpture or nothing to compare, and what to do
   std::vector<std::string> warnings;
   std::vector<std::string> shapeWarnings;  ///< about the file that the shape was read from
   std::shared_ptr<const Match> match;

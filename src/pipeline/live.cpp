@@ -88,24 +88,6 @@ LiveSculpture::LiveSculpture(const PreparedMesh& original, const PreparedSculptu
   } else {
     normalGroups_ = settled.prepared.normalGroups;
     prototype_ = {{*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals}, nullptr};
-    source_ = settled.sculpture->source;
-    for (const VertexSource& source : source_) {
-      sourceCorners_.push_back(original.mesh->triangles[source.triangle]);
-    }
-  }
-}
-
-void LiveSculpture::placeSources(const PointArray& original, PointArray& points) const {
-  if (ownTriangles_) {
-    points = original;
-    return;
-  }
-  for (std::size_t i = 0; i < source_.size(); ++i) {
-    const auto& [a, b, c] = sourceCorners_[i];
-    const double u = source_[i].u, v = source_[i].v, w = 1 - u - v;
-    points.x[i] = w * original.x[a] + u * original.x[b] + v * original.x[c];
-    points.y[i] = w * original.y[a] + u * original.y[b] + v * original.y[c];
-    points.z[i] = w * original.z[a] + u * original.z[b] + v * original.z[c];
   }
 }
 
@@ -115,7 +97,11 @@ PreparedSculpture LiveSculpture::follow(const VertexMap& map, const std::shared_
   const std::shared_ptr<MovingMesh> moving(buffer, &buffer->moving);
   Sculpture& sculpture = moving->sculpture;
   if (buffer->original != original) {
-    placeSources(original->positions, sculpture.original);
+    if (ownTriangles_) {
+      sculpture.original = original->positions;
+    } else {
+      placeSources(sculpture, *original, sculpture.original);
+    }
     buffer->original = original;
   }
   remapSculpture(map, sculpture, threads);

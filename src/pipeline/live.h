@@ -47,11 +47,8 @@ class LiveSculpture {
     MovingMesh moving;
     std::shared_ptr<const Mesh> original;  // that sculpture.original was taken from
   };
-  void placeSources(const PointArray& original, PointArray& points) const;
 
   bool ownTriangles_;
-  std::vector<Triangle> sourceCorners_;  // of every vertex: the original's vertices around it
-  std::vector<VertexSource> source_;
   std::shared_ptr<const NormalGroups> normalGroups_;
   Buffer prototype_;
   BufferRing<Buffer> ring_;

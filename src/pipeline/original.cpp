@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/shapes.h"
+#include "level/freeze.h"
 #include "level/level_json.h"
 
 namespace anamorph {
@@ -48,6 +49,15 @@ std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, cons
   Mesh mesh = unitized ? unitize(shape) : shape;
   mesh.positions = mapPoints(mesh.positions, PlacementMap(placement));
   return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+PlacedOriginal placeOriginal(const Mesh& shape, const LevelScene& level) {
+  PlacedOriginal placed(placeOriginal(shape, level.original.unitize, level.original.placement));
+  if (hasOriginalMoved(level)) {
+    const SculptureInputs& kept = *level.sculpture.frozen;
+    placed.source = placeOriginal(shape, kept.unitize, kept.placement);
+  }
+  return placed;
 }
 
 double factorInto(const Box& own, const Box& room) {

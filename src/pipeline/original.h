@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh_files.h"
@@ -24,6 +25,17 @@ LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::p
 
 /// In scene coordinates: unitized when asked, then scaled, rotated and moved.
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement);
+
+/// A level's original where it stands, and where it stood when the sculpture was made from it: the same mesh unless a
+/// frozen sculpture's original has moved.
+struct PlacedOriginal {
+  PlacedOriginal(std::shared_ptr<const Mesh> both) : mesh(both), source(std::move(both)) {}
+  PlacedOriginal(std::shared_ptr<const Mesh> now, std::shared_ptr<const Mesh> then)
+      : mesh(std::move(now)), source(std::move(then)) {}
+
+  std::shared_ptr<const Mesh> mesh, source;
+};
+PlacedOriginal placeOriginal(const Mesh& shape, const LevelScene& level);
 
 /// The factor that makes a box as large as fits a room; sides without extent, of either, do not count. 1 when there
 /// are no others.

@@ -8,6 +8,7 @@
 
 #include "anamorphosis/contour.h"
 #include "base/language.h"
+#include "level/freeze.h"
 
 namespace anamorph {
 namespace {
@@ -18,6 +19,19 @@ MeshSurface surfaceOf(std::string name, const PreparedMesh& mesh, const Material
 
 bool contains(const Box& box, const Point& p) {
   return !box.empty() && glm::min(box.min, p) == box.min && glm::max(box.max, p) == box.max;
+}
+
+std::optional<std::string> findProblemOf(const Optic& optic, const Point& eye, const Box& original) {
+  if (auto problem = findProblem(optic)) return problem;
+  if (auto problem = findEyeProblem(optic, eye)) return problem;
+  if (contains(original, eye)) {
+    return tr(
+        "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
+        "the original behind the mirror.");
+  }
+  if (!isFinite(original.min) || !isFinite(original.max))
+    return tr("the original has coordinates that are not finite.");
+  return std::nullopt;
 }
 
 // Corners are shaded together by where they were on `shape` (null: the mesh itself). Files repeat positions
@@ -93,17 +107,13 @@ const char* explainStatus(PathStatus status) {
   return tr("nothing is wrong");
 }
 
-std::optional<std::string> findProblem(const LevelScene& level, const Box& box) {
-  if (auto problem = findProblem(level.optic)) return problem;
-  if (auto problem = findEyeProblem(level.optic, level.camera.eye)) return problem;
-  if (contains(box, level.camera.eye)) {
-    return tr(
-        "the eye is inside the original's box, so it cannot see the original as a whole. Move the eye, or "
-        "the original behind the mirror.");
-  }
-  if (!isFinite(box.min) || !isFinite(box.max))
-    return tr("the original has coordinates that are not finite.");
-  return std::nullopt;
+std::optional<std::string> findProblem(const LevelScene& level, const Box& original) {
+  return findProblemOf(level.optic, level.camera.eye, original);
+}
+
+std::optional<std::string> findSculptureProblem(const LevelScene& level, const Box& source) {
+  const SculptureInputs inputs = sculptureInputs(level);
+  return findProblemOf(inputs.optic, inputs.camera.eye, source);
 }
 
 std::optional<std::string> findEmptiness(const Sculpture& sculpture) {
@@ -158,18 +168,27 @@ std::vector<std::string> findWarnings(const LevelScene& level, const PreparedScu
                  "the original, change the depth scale, or hide the ground",
                  level.ground.height - lowest));
   }
+  if (const auto frozen = frozenSentence(level)) warnings.push_back(*frozen);
   return warnings;
 }
 
-VertexMap makeVertexMap(const LevelScene& level) {
-  return {level.optic, level.camera.eye, level.sculpture.depthScale, level.sculpture.mistakes};
+std::optional<std::string> frozenSentence(const LevelScene& level) {
+  if (!level.sculpture.frozen) return std::nullopt;
+  const Point& eye = level.sculpture.frozen->camera.eye;
+  return trFormat("the sculpture is frozen as it was made for the eye at ({:g}, {:g}, {:g})", eye.x, eye.y,
+                  eye.z);
 }
 
-DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> original) {
+VertexMap makeVertexMap(const LevelScene& level) {
+  const SculptureInputs inputs = sculptureInputs(level);
+  return {inputs.optic, inputs.camera.eye, inputs.depthScale, inputs.mistakes};
+}
+
+DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> source) {
   DeformInput input;
-  input.original = std::move(original);
+  input.original = std::move(source);
   input.map = makeVertexMap(level);
-  input.camera = level.camera;
+  input.camera = sculptureInputs(level).camera;
   input.imageSize = level.sculpture.imageSize;
   input.tolerancePixels = level.sculpture.tolerancePixels;
   input.maxTriangles = level.sculpture.maxTriangles;
@@ -214,6 +233,7 @@ MatchInput makeMatchInput(const LevelScene& level, const PreparedMesh& original,
   input.sculptureBvh = sculpture.prepared.bvh;
   input.optic = level.optic;
   input.camera = level.camera;
+  input.originalMoved = hasOriginalMoved(level);
   const SceneInput scene = makeReflectionScene(level, sculpture);
   if (scene.ground) input.floor = floorOf(*scene.ground, measureScene(boxOf(scene)));
   input.width = width;

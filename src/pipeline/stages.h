@@ -43,6 +43,10 @@ const char* explainStatus(PathStatus status);
 /// a sentence for the student; nothing when it can.
 std::optional<std::string> findProblem(const LevelScene& level, const Box& original);
 
+/// The same of what the level's sculpture is made from, the original (`source`) included: another question only while
+/// it is frozen.
+std::optional<std::string> findSculptureProblem(const LevelScene& level, const Box& source);
+
 /// Why no triangle of the original that has an area has come into the sculpture; nothing when some have.
 std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 
@@ -55,14 +59,17 @@ std::string statusSentence(const StatusCounts& counts);
 std::string shownStatus(const StatusCounts& counts);
 
 /// What is worth knowing of a sculpture that is not empty: vertices that are not mapped, a budget that was
-/// hit, parts below the ground.
+/// hit, parts below the ground, that it is frozen.
 std::vector<std::string> findWarnings(const LevelScene& level, const PreparedSculpture& sculpture);
+
+/// That the sculpture is frozen, and for which eye it was made; nothing when it follows.
+std::optional<std::string> frozenSentence(const LevelScene& level);
 
 /// The map that the level's sculpture is made by.
 VertexMap makeVertexMap(const LevelScene& level);
 
-/// `original` is in scene coordinates.
-DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> original);
+/// `source` is the original in scene coordinates, where it stands or, for a frozen sculpture, stood.
+DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> source);
 
 PreparedMesh prepareMesh(std::shared_ptr<const Mesh> mesh, int threads = 1);
 

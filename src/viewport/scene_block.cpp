@@ -141,7 +141,8 @@ bool Visible::surface(GpuSurface which) const {
 
 ShaderKinds shaderKindsOf(const ViewportInput& input) {
   const DisplaySettings& display = input.display;
-  return {isShown(input.level.optic) ? shapeName(input.level.optic.shape()) : ShaderKinds::noMirror,
+  return {display.mirror && isShown(input.level.optic) ? shapeName(input.level.optic.shape())
+                                                       : ShaderKinds::noMirror,
           display.originalLook == OriginalLook::ghost, display.sculpture && display.wireframe};
 }
 

@@ -28,7 +28,8 @@ TEST(LessonJson, ReadsEveryField) {
        "eye": [1, 2, 3], "original": [4, 5, 6], "mirror": [7, 8, 9], "depthScale": 2, "tolerance": "off",
        "fovDegrees": 30, "morph": 0.25, "viewEye": [1, 1, 1], "viewTarget": [2, 2, 2], "vertex": 7,
        "pixel": [3, 4], "preview": "wipe", "rays": "pixels", "putRight": "normal", "shape": "pawn",
-       "segments": 5, "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "undo": true}}}]})",
+       "segments": 5, "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "undo": true,
+       "freeze": true}}}]})",
                                     "l.json");
   Lesson expected{"l", {"B", "C"}, {}};
   LessonStep step{"s", "T", "W", "D", "N", "construction", true, {}, {"rays", "Show", StepMove{}}};
@@ -51,6 +52,7 @@ TEST(LessonJson, ReadsEveryField) {
           "pawn",
           5,
           "sphere",
+          true,
           true,
           true,
           true,

@@ -25,6 +25,10 @@ class RandomLevel {
     level.sculpture = {
         between(0.01, 100), coin() ? 0 : between(0.001, 1000), static_cast<std::size_t>(whole(1, 100000000)),
         whole(16, 16384),   {coin(), coin(), coin()},          material()};
+    if (coin()) {
+      level.sculpture.frozen = {{OpticKind::mirror, mirror()}, camera(),           coin(),
+                                {point(), point(), lengths()}, between(0.01, 100), {coin(), coin(), coin()}};
+    }
     level.lights.resize(static_cast<std::size_t>(whole(0, 4)));
     for (PointLight& light : level.lights) light = {point(), color(), between(0, 1000)};
     level.background = {color(), color()};

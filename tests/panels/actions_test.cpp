@@ -141,11 +141,11 @@ TEST(Actions, AKeyOfWhatCannotBeDoneDoesNothing) {
     advance(editor, 0.1);
     pressWhatIsDisabled(editor, ui, seen);
   }
-  const std::set<Action> notAlways{Action::undo,          Action::redo,          Action::resetLevel,
-                                   Action::reload,        Action::pauseRays,     Action::previousStep,
-                                   Action::nextStep,      Action::showStep,      Action::rayStepForward,
-                                   Action::rayStepBack,   Action::nextPanel,     Action::nextLevel,
-                                   Action::previousPanel, Action::previousLevel, Action::copyLevelWithMesh};
+  const std::set<Action> notAlways{
+      Action::undo,           Action::redo,          Action::resetLevel,        Action::reload,
+      Action::pauseRays,      Action::previousStep,  Action::nextStep,          Action::showStep,
+      Action::rayStepForward, Action::rayStepBack,   Action::nextPanel,         Action::nextLevel,
+      Action::previousPanel,  Action::previousLevel, Action::copyLevelWithMesh, Action::toggleFrozen};
   EXPECT_EQ(seen, notAlways);
 }
 
@@ -184,8 +184,9 @@ TEST(Actions, ATickSaysWhatIsOn) {
   openLevel(editor, levels / "1-plane.json");
   editor.rays.animate = true;
   const auto ticked = [&](Action action) { return rowOf(action).ticked(editor, ui); };
-  for (const Action action : {Action::toggleLocal, Action::lookThrough, Action::toggleParallel,
-                              Action::pauseRays, Action::progress, Action::hidePanels, Action::present}) {
+  for (const Action action :
+       {Action::toggleLocal, Action::lookThrough, Action::toggleParallel, Action::pauseRays, Action::progress,
+        Action::hidePanels, Action::present, Action::hideMirror, Action::originalAlone}) {
     SCOPED_TRACE(rowOf(action).name);
     EXPECT_FALSE(ticked(action));
     perform(action, editor, ui);
@@ -228,7 +229,8 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
     for (int i = 0; i < 60; ++i) {
       const auto actions = allActions();
       const Action action = actions[static_cast<std::size_t>(random.integer(0, int(actions.size()) - 1))];
-      if (action == Action::showStep) continue;  // the lesson's move does change the level
+      // The lesson's move and freezing do change the level.
+      if (action == Action::showStep || action == Action::toggleFrozen) continue;
       perform(action, editor, ui);
       if (i % 3 == 0) advance(editor, 0.05);
       EXPECT_TRUE(isFinite(editor.pose.eye) && isFinite(editor.pose.target) && isFinite(editor.pose.up));

@@ -215,6 +215,7 @@ TEST_F(NumberRow, CheckBoxIsOneStep) {
   // From below, so that headings that fold leave what is above them in its place.
   for (float y = rect.y + rect.height - 4; y > rect.y + 70; y -= 5) {
     click(rect.x + 20, y);
+    if (editor.session.level().sculpture.frozen) editor.session.undo();  // its button is below
     if (editor.session.level().sculpture.tolerancePixels != opened.sculpture.tolerancePixels) break;
     ASSERT_EQ(editor.session.level(), opened);
   }
