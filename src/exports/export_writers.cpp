@@ -10,6 +10,7 @@
 #include "exports/arrangement.h"
 #include "exports/match_report_files.h"
 #include "exports/page_file.h"
+#include "exports/print_repairs.h"
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "exports/viewing_sheet.h"
@@ -47,7 +48,10 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const E
                                             int /*threads*/, const Progress& progress) {
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
-  Mesh& mesh = arrangement.sculpture;
+  PreparedPrint print =
+      prepareForPrint(std::move(arrangement.sculpture), finished.level.sculpture.tolerancePixels > 0);
+  for (std::string& note : print.notes) summary.warnings.push_back(std::move(note));
+  Mesh& mesh = print.mesh;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
   summary.description = trFormat("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm",
@@ -72,9 +76,8 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const bool pdf = lowerEnding(request.path) == ".pdf";
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
-  ExportSummary summary{
-      trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
-      findPlateWarnings(finished, arrangement)};
+  ExportSummary summary{trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
+                        findPlateWarnings(finished, arrangement)};
   for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
   return summary;
 }
@@ -113,8 +116,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  return ExportSummary{trFormat("match report, {}", grade),
-                       writeFile(request.path, page)};
+  return ExportSummary{trFormat("match report, {}", grade), writeFile(request.path, page)};
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
@@ -128,8 +130,7 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  return ExportSummary{trFormat("{} x {} pixels", width, height),
-                       savePng(request.path, *image)};
+  return ExportSummary{trFormat("{} x {} pixels", width, height), savePng(request.path, *image)};
 }
 
 }  // namespace anamorph
