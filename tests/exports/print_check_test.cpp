@@ -374,8 +374,11 @@ TEST(PrintCheck, FindsTheLevelsSculpturesSound) {
     EXPECT_TRUE(result.topology.isSound()) << name;
     EXPECT_EQ(result.insideOut, 0u) << name;
     EXPECT_EQ(result.crossings.pairs, 0u) << name;
-    EXPECT_THAT(findPrintProblems(result, 0), ::testing::IsEmpty()) << name;
     EXPECT_THAT(formatPrintCheck(result), HasSubstr("faces outwards      yes")) << name;
+    // The knot's sculpture gets as thin as a foil.
+    const bool isThin = std::string(name) == "3-sphere";
+    EXPECT_EQ(findPrintProblems(result, 0).size(), isThin ? 1u : 0u) << name;
+    EXPECT_EQ(result.walls.firstPercentile < 0.1, isThin) << name;
   }
 }
 
