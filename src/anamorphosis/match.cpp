@@ -89,13 +89,25 @@ class Matcher {
     const auto seenAt = projection_.pixelOf(sample.reflected->original);
     const double error = seenAt ? glm::length(*seenAt - place) : worstError();
     result.errorPx = static_cast<float>(std::min(error, worstError()));
-    const auto& triangles = input_.original->triangles;
-    result.sameTriangle = touch(input_.original->positions, triangles[*sample.original],
-                                triangles[sample.reflected->sourceTriangle]);
+    const std::uint32_t shown = sample.reflected->sourceTriangle;
+    result.sameTriangle = touches(*sample.original, shown) || (seenAt && isSeenAt(*seenAt, shown));
     return result;
   }
 
  private:
+  bool touches(std::uint32_t a, std::uint32_t b) const {
+    const auto& triangles = input_.original->triangles;
+    return touch(input_.original->positions, triangles[a], triangles[b]);
+  }
+
+  // Whether the eye sees this triangle of the original there, and not another one before it. How far that is from where
+  // the mirror shows it is the error's business: a fine mesh has many triangles within a tenth of a pixel.
+  bool isSeenAt(const Pixel& place, std::uint32_t triangle) const {
+    BvhHit first;
+    return input_.originalBvh->closestHit(projection_.rayThrough(place), first) &&
+           touches(first.triangle, triangle);
+  }
+
   double worstError() const { return std::max(projection_.width(), projection_.height()); }
 
   // Between the eye and the last point on the optic.

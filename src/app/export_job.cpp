@@ -68,7 +68,7 @@ void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& 
         const int threads = hardwareThreads();
         Outcome outcome;
         if (task == Task::check) {
-          const auto check = checkSculpture(finished, request.millimetresPerUnit, threads, progress);
+          const auto check = checkSculpture(finished, request, threads, progress);
           if (!check) return;
           const auto problems = findPrintProblems(*check, countNotMapped(finished));
           const auto hints = findPrintHints(*check);

@@ -28,7 +28,7 @@ namespace anamorph {
 namespace {
 
 struct ScreenshotOptions {
-  std::string level, output, theme = "dark", language = "en", select, pixel, tab;
+  std::string level, output, theme = "dark", language = "en", select, pixel, tab, modelUp;
   std::pair<int, int> size{1280, 800};
   double uiScale = 1, morph = 1;
   std::size_t step = 0;
@@ -97,6 +97,9 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
   Gui& gui = headless.gui();
   gui.open(level);
+  Session& session = gui.editor().session;
+  if (!options.modelUp.empty())
+    session.edit(applyModelUp(session.level(), options.modelUp, session.path(), common));
   gui.setTransparent(options.transparent);
   gui.ui().bare = options.transparent && options.noPanels;
   arrange(gui.editor(), gui.ui(), options);
@@ -157,6 +160,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberIn({1, 5}));
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
       ->check(numberIn(limits::fractions));
+  addModelUpOption(*command, options->modelUp);
   addCommonOptions(*command, common);
   command->callback([options, &common] { screenshot(*options, common); });
 }

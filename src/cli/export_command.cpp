@@ -26,6 +26,7 @@ struct ExportOptions {
   std::string format;
   bool check = false;
   double millimetresPerUnit = 10;
+  double smallestWidth = ExportRequest{}.smallestWidth;
   std::optional<double> basePlate;
   double plateMargin = BasePlateSettings{}.margin;
   std::string page = "A4";
@@ -205,7 +206,10 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   if (options.check || anyHas(requests, ExportOption::printCheck)) {
     const PrintCheck check = [&] {
       const ProgressBar bar(common, "checking");
-      return *checkSculpture(finished, options.millimetresPerUnit, common.threads, bar.progress());
+      ExportRequest request;
+      request.millimetresPerUnit = options.millimetresPerUnit;
+      request.smallestWidth = options.smallestWidth;
+      return *checkSculpture(finished, request, common.threads, bar.progress());
     }();
     const std::size_t notMapped = countNotMapped(finished);
     json.add("printCheck", printCheckJson(check, notMapped));
@@ -247,6 +251,11 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("--mm-per-unit", options->millimetresPerUnit,
                    "Millimetres per scene unit of sculpture, sheet and rays (default 10)")
       ->check(numberIn(limits::millimetresPerUnit.level));
+  command
+      ->add_option(
+          "--smallest-width", options->smallestWidth,
+          "Width of the thinnest wall that the printer makes, in mm, for the print check (default 0.8)")
+      ->check(numberIn(limits::smallestWidth.level));
   command
       ->add_option("--base-plate", options->basePlate,
                    "Thickness in mm of a plate under the sculpture, on posts")

@@ -36,6 +36,8 @@ std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const C
                                             const std::string& levelPath, bool isScene, Level& level) {
   LoadedMesh model = loadModel(options.model, common.meshLimits());
   sayWarnings(common, model.warnings);
+  if (!options.modelUp.empty())
+    model.mesh = standUp(std::move(model.mesh), chooseModelUp(options.modelUp, model.up, common));
   if (isScene || options.unitize) return placeOriginal(model.mesh, options.unitize, level.original.placement);
   const auto own = loadOriginal(level.original.shape, levelPath, common.meshLimits()).mesh;
   const auto placed = placeOriginal(*own, level.original.unitize, level.original.placement);
@@ -74,9 +76,39 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
       ->transform(CLI::Validator(checkTolerance, "PX|off"));
   command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees (thesis scenes: 40)")
       ->check(numberIn(limits::fieldOfView.level));
-  command.add_option("--up", options.up, "The camera's up (thesis scenes: z)")
+  command
+      .add_option(
+          "--up", options.up,
+          "Which way is up for the camera (thesis scenes: z); a model is turned by --model-up instead")
       ->check(CLI::IsMember({"z", "y"}));
+  addModelUpOption(command, options.modelUp);
   command.add_flag("--unitize", options.unitize, "Centre the original and fit it into the unit cube first");
+}
+
+void addModelUpOption(CLI::App& command, std::string& modelUp) {
+  std::vector<std::string> names(modelUpNames.begin(), modelUpNames.end());
+  names.push_back("auto");
+  command
+      .add_option("--model-up", modelUp,
+                  "Which axis of the mesh file points up, in the file (default: z, or as the level says); "
+                  "auto: a guess")
+      ->check(CLI::IsMember(names));
+}
+
+ModelUp chooseModelUp(const std::string& modelUp, const UpGuess& guess, const CommonOptions& common) {
+  if (modelUp != "auto") return *findModelUp(modelUp);
+  sayMessage(common, upGuessText(guess));
+  return guess.up;
+}
+
+Level applyModelUp(Level level, const std::string& modelUp, const std::filesystem::path& path,
+                   const CommonOptions& common) {
+  auto* file = std::get_if<FileShape>(&level.original.shape);
+  if (!file) throw UsageError("--model-up: expected a mesh file, got a level with a built-in original");
+  const UpGuess guess =
+      modelUp == "auto" ? loadOriginal(level.original.shape, path, common.meshLimits()).up : UpGuess{};
+  file->up = chooseModelUp(modelUp, guess, common);
+  return level;
 }
 
 bool isStandardInput(const std::string& name) {
@@ -133,6 +165,8 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
   if (!options.model.empty()) {
     input.original = replaceOriginal(options, common, path, loaded.isThesisScene, input.level);
   } else {
+    if (!options.modelUp.empty())
+      input.level = applyModelUp(std::move(input.level), options.modelUp, path, common);
     const auto own = loadOriginal(input.level.original.shape, path, common.meshLimits());
     sayWarnings(common, own.warnings);
     input.level.original.unitize |= options.unitize;

@@ -23,11 +23,22 @@ struct InputOptions {
   std::optional<double> depthScale;
   std::optional<double> tolerancePixels;  ///< 0 is "off"
   std::optional<double> fovDegrees;
-  std::string up;
+  std::string up;       ///< the camera's
+  std::string modelUp;  ///< "auto" or one of modelUpNames; empty: as the level says, z for a MODEL
   bool unitize = false;
 };
 
 void addInputOptions(CLI::App& command, InputOptions& options);
+/// --model-up alone, for commands that take a level in other ways.
+void addModelUpOption(CLI::App& command, std::string& modelUp);
+
+/// Which axis of a model `--model-up` means; a guess is said.
+ModelUp chooseModelUp(const std::string& modelUp, const UpGuess& guess, const CommonOptions& common);
+
+/// The level with the mesh file of its original turned as `--model-up` says; the level is in the file `path`. Throws
+/// UsageError when its original is no mesh file, and Error when that cannot be read.
+Level applyModelUp(Level level, const std::string& modelUp, const std::filesystem::path& path,
+                   const CommonOptions& common);
 
 struct Input {
   std::string name;  ///< the file, for messages

@@ -39,6 +39,7 @@ std::optional<std::string> EditJob::update(Session& session) {
   started_.reset();
   if (!result->level) return result->message;
   if (!same) return name_ + ": " + tr("the level has been changed meanwhile, so nothing was done.");
+  if (result->between) session.edit(std::move(*result->between));
   session.edit(std::move(*result->level));
   return result->message;
 }

@@ -1,5 +1,5 @@
 // A change of the level that takes too long for a frame: a mesh to read, many matches to compute. It is made
-// in the background from the level as it is at the start, and comes into the session as one step. When the
+// in the background from the level as it is at the start, and comes into the session as one step, or as two. When the
 // level has been changed meanwhile it comes too late: it would undo that change.
 #pragma once
 
@@ -18,6 +18,8 @@ namespace anamorph {
 struct EditResult {
   std::optional<Level> level;
   std::string message;
+  std::optional<Level> between =
+      std::nullopt;  ///< a level that one step back leads to; without it, to the old one
 };
 
 class EditJob {

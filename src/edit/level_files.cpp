@@ -94,6 +94,7 @@ Level withMeshInside(Level level, const Mesh& mesh) {
                  fs::path(file.path).filename().string(), obj.size() / 1000, limits::mostInsideBytes / 1000));
   }
   file.obj = std::move(obj);
+  file.up = ModelUp::z;  // as `mesh` has it
   return level;
 }
 
@@ -101,8 +102,10 @@ SentLevel levelFromText(const std::string& text, const Level& open, const fs::pa
   SentLevel sent = readSentLevel(text, "the text on the clipboard");
   if (const auto missing = findMissingMesh(sent.level, path)) {
     const auto* known = std::get_if<FileShape>(&open.original.shape);
-    if (known && fs::path(known->path).filename() == missing->filename())
-      std::get<FileShape>(sent.level.original.shape) = *known;
+    if (known && fs::path(known->path).filename() == missing->filename()) {
+      auto& file = std::get<FileShape>(sent.level.original.shape);
+      file = {known->path, known->obj, file.up};
+    }
   }
   return sent;
 }

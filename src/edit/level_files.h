@@ -34,7 +34,7 @@ std::optional<std::filesystem::path> findMissingMesh(const Level& level,
 /// only the file's name: the sender's folders are nobody's business.
 std::string levelAsText(const Level& level, const std::filesystem::path& path);
 
-/// The level with `mesh`, the one that its original's file has, inside. Throws Error when that is larger than a level may
+/// The level with `mesh`, the one that its original's file has, z up, inside. Throws Error when that is larger than a level may
 /// hold.
 Level withMeshInside(Level level, const Mesh& mesh);
 

@@ -79,6 +79,22 @@ Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, co
   return result;
 }
 
+Level withAnotherMesh(const Level& level, FileShape file, const Mesh& mesh, const Box& box) {
+  Level result = level;
+  result.original.shape = std::move(file);
+  Placement& placement = result.original.placement;
+  Placement unmoved = placement;
+  unmoved.position = Point(0);
+  const Box own = boundingBox(placeOriginal(mesh, level.original.unitize, unmoved)->positions);
+  if (own.empty() || box.empty()) return result;
+  const double fitting = factorInto(own, box);
+  const double factor = fitting >= 0.5 && fitting <= 2 ? 1 : fitting;
+  placement.scale =
+      glm::clamp(factor * placement.scale, Vector(limits::lengths.min), Vector(limits::lengths.max));
+  placement.position = clampedPoint(box.centre() - factor * own.centre());
+  return result;
+}
+
 Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box) {
   OriginalShape shape = builtInShape(kind);
   if (auto* filling = std::get_if<BoxShape>(&shape); filling && !box.empty()) {

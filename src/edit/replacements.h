@@ -24,7 +24,11 @@ OriginalShape builtInShape(std::size_t kind);
 /// follows again.
 Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, const Box& box);
 
-/// The same for a built-in shape, whose mesh can be made at once.
+/// Another mesh file for the one that the original is, with the rotation that it has, and with its scale as long as that
+/// makes the new one half to twice as large as fits `box`; else as large as fits. Centred in the box, as above.
+Level withAnotherMesh(const Level& level, FileShape file, const Mesh& mesh, const Box& box);
+
+/// The same as withOriginal() for a built-in shape, whose mesh can be made at once.
 Level withBuiltInOriginal(const Level& level, std::size_t kind, const Box& box);
 
 /// Room for an original whose own size nobody knows: where the RT camera looks, half as high as its picture.

@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "exports/export_formats.h"
+#include "exports/print_repairs.h"
 #include "exports/printable.h"
 
 namespace anamorph {
@@ -22,9 +23,14 @@ std::optional<ExportSummary> exportLevel(const LevelResult& finished, const Expo
   return format.write(finished, request, threads, progress);
 }
 
-std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit, int threads,
-                                         const Progress& progress) {
-  return checkPrint(makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit), threads, progress);
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, const ExportRequest& request,
+                                         int threads, const Progress& progress) {
+  PreparedPrint print =
+      prepareForPrint(makePrintable(finished.sculpture.sculpture->mesh, request.millimetresPerUnit),
+                      finished.level.sculpture.tolerancePixels > 0);
+  auto check = checkPrint(print.mesh, threads, progress, {.smallestWidth = request.smallestWidth});
+  if (check) check->notes = std::move(print.notes);
+  return check;
 }
 
 std::size_t countNotMapped(const LevelResult& finished) {

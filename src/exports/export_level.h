@@ -18,8 +18,8 @@ std::optional<ExportSummary> exportLevel(const LevelResult& finished, const Expo
                                          int threads = 1, const Progress& progress = {});
 
 /// checkPrint for the sculpture as it would be printed, without a base plate: that is sound by itself, and
-/// overlaps the sculpture on purpose. Nothing when cancelled.
-std::optional<PrintCheck> checkSculpture(const LevelResult& finished, double millimetresPerUnit,
+/// overlaps the sculpture on purpose. Of the request its scale and the smallest width count. Nothing when cancelled.
+std::optional<PrintCheck> checkSculpture(const LevelResult& finished, const ExportRequest& request,
                                          int threads = 1, const Progress& progress = {});
 
 /// How many vertices of the original are not in the sculpture, for findPrintProblems.

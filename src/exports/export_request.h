@@ -19,7 +19,8 @@ enum class ExportKind { sculpture, viewingSheet, rays, matchReport, picture };
 struct ExportRequest {
   ExportKind kind = ExportKind::sculpture;
   std::filesystem::path path;
-  double millimetresPerUnit = 10;              ///< sculpture, sheet, rays, base plate
+  double millimetresPerUnit = 10;  ///< sculpture, sheet, rays, base plate
+  double smallestWidth = 0.8;      ///< print check: of a wall, in millimetres; 0.8 is two usual lines
   std::optional<BasePlateSettings> basePlate;  ///< sculpture, sheet; match report: what it hides
   Paper paper = Paper::a4;                     ///< sheet
   std::optional<double> sheetScale;            ///< sheet: 1 : this; without: what fits

@@ -10,6 +10,7 @@
 #include "exports/arrangement.h"
 #include "exports/match_report_files.h"
 #include "exports/page_file.h"
+#include "exports/print_repairs.h"
 #include "exports/printable.h"
 #include "exports/ray_file.h"
 #include "exports/viewing_sheet.h"
@@ -55,7 +56,10 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& shown, const Expo
   const LevelResult finished = asMade(shown);
   Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
   ExportSummary summary{{}, findPlateWarnings(finished, arrangement)};
-  Mesh& mesh = arrangement.sculpture;
+  PreparedPrint print =
+      prepareForPrint(std::move(arrangement.sculpture), finished.level.sculpture.tolerancePixels > 0);
+  for (std::string& note : print.notes) summary.warnings.push_back(std::move(note));
+  Mesh& mesh = print.mesh;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
   summary.description = trFormat("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm",

@@ -6,11 +6,15 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "exports/inside_out.h"
+#include "exports/print_repairs.h"
 
 namespace anamorph {
 namespace {
 
-constexpr double thinMillimetres = 0.8;  // two lines of the usual 0.4 mm nozzle
+// Tips and creases get thin in every model. A piece of wall is missed in print when it is larger than this: so many
+// times the smallest width, squared, of its surface.
+constexpr double spotWidths = 4;
 
 Mesh withoutFlatTriangles(Mesh mesh) {
   const auto isFlat = [&](const Triangle& t) { return areaVector(mesh.positions, t) == Vector(0); };
@@ -31,6 +35,37 @@ std::string placeOf(const Point& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
 }
 
+std::string thicknessOf(const ThinPlace& place) {
+  return place.thickness < 0.01 ? "< 0.01" : fmt::format("{:.2f}", place.thickness);
+}
+
+bool areWallsThin(const PrintCheck& check) {
+  const WallThickness& walls = check.walls;
+  const double spot = spotWidths * check.smallestWidth;
+  return walls.samples > 0 && (walls.firstPercentile < check.smallestWidth || walls.thinArea > spot * spot);
+}
+
+// "(1.0, 2.0, 3.0) 0.02 mm, (4.0, 2.0, 3.0) 0.3 mm"
+std::string thinPlaces(const WallThickness& walls) {
+  std::string text;
+  for (const ThinPlace& place : walls.places) {
+    text += fmt::format("{}{} {} mm", text.empty() ? "" : ", ", placeOf(place.at), thicknessOf(place));
+  }
+  return text;
+}
+
+std::string thinSentence(const PrintCheck& check) {
+  const WallThickness& walls = check.walls;
+  std::string text = trFormat(
+      "walls are thinner than the {:g} mm that the printer makes, over {:.1f} mm2 of the surface: {}. ",
+      check.smallestWidth, walls.thinArea, thinPlaces(walls));
+  const double factor = check.smallestWidth / std::max(walls.firstPercentile, 1e-3);
+  return text +
+         (factor > 1 && factor < 100
+              ? trFormat("With {:.2g} times as many millimetres per unit nearly all are thick enough", factor)
+              : tr("Thicken the original there in a mesh editor"));
+}
+
 std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
   std::string text =
       trFormat("the surface is open: {} no neighbour, so no slicer can tell inside from outside. ",
@@ -49,12 +84,17 @@ std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
 std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads, const Progress& progress,
                                      const PrintCheckLimits& limits) {
   PrintCheck check;
+  check.smallestWidth = limits.smallestWidth;
   const Mesh welded = weldPositions(mesh).mesh;
   check.box = boundingBox(mesh.positions);
   check.vertices = welded.positions.size();
   check.triangles = mesh.triangles.size();  // those that lose their area by the welding, too
   if (!progress.update(0.05)) return std::nullopt;
-  check.topology = measureTopology(welded);
+  const Surface surface = measureSurface(welded);
+  check.topology = surface.topology;
+  check.parts = surface.shells.size();
+  check.insideOut = findInsideOut(welded, surface).size();
+  check.doubled = findDoubled(welded.triangles).size();
   check.volume = signedVolume(welded);
   const Mesh solid = withoutFlatTriangles(welded);
   check.flatTriangles = mesh.triangles.size() - solid.triangles.size();
@@ -64,8 +104,8 @@ std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads, const Progre
       countSelfCrossings(solid, bvh, limits.maxCrossings, threads, partOf(progress, 0.25, 0.8));
   if (!crossings) return std::nullopt;
   check.crossings = *crossings;
-  const auto walls = measureWalls(solid, bvh, limits.wallSamples, check.volume < 0 ? -1 : 1, threads,
-                                  partOf(progress, 0.8, 1));
+  const WallQuestion question{.thin = limits.smallestWidth, .inward = check.volume < 0 ? -1.0 : 1.0};
+  const auto walls = measureWalls(solid, bvh, question, threads, partOf(progress, 0.8, 1));
   if (!walls) return std::nullopt;
   check.walls = *walls;
   return check;
@@ -75,7 +115,11 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
   const SurfaceTopology& topology = check.topology;
   std::vector<std::string> problems;
   if (topology.borderEdges > 0) problems.push_back(openSentence(check, notMapped));
-  if (topology.crowdedEdges > 0) {
+  if (check.doubled > 0) {
+    problems.push_back(
+        trFormat("{} there twice, on the same place. Remove double faces of the original in a mesh editor",
+                 countOf(check.doubled, "triangle is", "triangles are")));
+  } else if (topology.crowdedEdges > 0) {
     problems.push_back(
         trFormat("{} used by three or more triangles: the surface is doubled or branches "
                  "there. Remove inner and double faces of the original in a mesh editor",
@@ -93,30 +137,30 @@ std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t 
                  "the original's parts apart or into each other",
                  countOf(topology.pinchedCorners, "point", "points")));
   }
-  if (topology.inwardShells > 0) {
-    problems.push_back(trFormat(
-        "{} inside out. Let a mesh editor turn the original's faces around, unless a hollow is meant",
-        countOf(topology.inwardShells, "closed part is", "closed parts are")));
+  if (check.insideOut > 0) {
+    problems.push_back(trFormat("{} inside out. Let a mesh editor turn the original's faces around",
+                                countOf(check.insideOut, "closed part is", "closed parts are")));
   }
   if (check.crossings.pairs > 0) {
-    const bool own = topology.shells > 1;
+    const bool own = check.parts > 1;
     problems.push_back(trFormat(
         "the surface goes through itself: {} of triangles, the first near {}. {}", pairsOf(check.crossings),
         placeOf(*check.crossings.example),
         tr(own ? "Slicers unite closed parts that overlap; what folds over within one part may come out wrong"
                : "Slicers may fill or leave out what lies between")));
   }
+  if (topology.isSound() && check.walls.samples == 0)
+    problems.push_back(tr("the surface encloses nothing: both of its sides lie in the same place"));
+  if (areWallsThin(check)) problems.push_back(thinSentence(check));
   return problems;
 }
 
 std::vector<std::string> findPrintHints(const PrintCheck& check) {
-  std::vector<std::string> hints;
-  if (check.walls.samples > 0 && check.walls.firstPercentile < thinMillimetres) {
+  std::vector<std::string> hints = check.notes;
+  if (!check.walls.places.empty() && !areWallsThin(check)) {
     hints.push_back(
-        trFormat("the thinnest hundredth of the walls is under {:.2g} mm, near {} under {:.2g} mm: "
-                 "most printers need {:g} mm. More millimetres per unit make it thicker",
-                 check.walls.firstPercentile, placeOf(check.walls.leastAt), std::max(check.walls.least, 0.01),
-                 thinMillimetres));
+        trFormat("small spots are thinner than the {:g} mm that the printer makes, and may be lost: {}",
+                 check.smallestWidth, thinPlaces(check.walls)));
   }
   return hints;
 }
@@ -128,7 +172,7 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
   line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
   line("triangles", trFormat("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
-                             check.vertices, countOf(topology.shells, "part", "parts")));
+                             check.vertices, countOf(check.parts, "part", "parts")));
   line("closed", topology.borderEdges == 0
                      ? tr("yes")
                      : trFormat("no: {}", countOf(topology.borderEdges, "border edge", "border edges")));
@@ -140,16 +184,17 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
                                           "edges of three or more triangles"),
                                   countOf(topology.pinchedCorners, "pinched point", "pinched points")));
   line("faces outwards",
-       topology.turnedEdges == 0 && topology.inwardShells == 0
+       topology.turnedEdges == 0 && check.insideOut == 0
            ? tr(topology.borderEdges == 0 ? "yes" : "consistently, as far as it goes")
            : trFormat("no: {}, {}", countOf(topology.turnedEdges, "turned edge", "turned edges"),
-                      countOf(topology.inwardShells, "part inside out", "parts inside out")));
+                      countOf(check.insideOut, "part inside out", "parts inside out")));
   line("self-intersections", check.crossings.pairs == 0 ? tr("none") : pairsOf(check.crossings));
   if (check.walls.samples > 0) {
     line("walls",
          trFormat("99 % thicker than {:.2f} mm; thinnest found {} mm near {}", check.walls.firstPercentile,
-                  check.walls.least < 0.01 ? "< 0.01" : fmt::format("{:.2f}", check.walls.least),
-                  placeOf(check.walls.leastAt)));
+                  thicknessOf(check.walls.least), placeOf(check.walls.least.at)));
+    line("smallest width", trFormat("{:g} mm; {:.1f} mm2 of the surface at thinner walls",
+                                    check.smallestWidth, check.walls.thinArea));
   }
   if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
   return rows;
@@ -171,16 +216,23 @@ JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
       .add("crowdedEdges", topology.crowdedEdges)
       .add("turnedEdges", topology.turnedEdges)
       .add("pinchedCorners", topology.pinchedCorners)
-      .add("parts", topology.shells)
-      .add("partsInsideOut", topology.inwardShells)
+      .add("doubledTriangles", check.doubled)
+      .add("parts", check.parts)
+      .add("partsInsideOut", check.insideOut)
       .add("selfIntersections", check.crossings.pairs)
       .add("moreSelfIntersections", check.crossings.more);
   JsonValue walls;
   if (check.walls.samples > 0) {
+    JsonValue places{JsonValue::Kind::array, {}, 0, {}, {}};
+    for (const ThinPlace& place : check.walls.places)
+      places.items.push_back(JsonObject().add("atMm", place.at).add("mm", place.thickness).value());
     walls = JsonObject()
-                .add("leastMm", check.walls.least)
-                .add("leastAtMm", check.walls.leastAt)
+                .add("leastMm", check.walls.least.thickness)
+                .add("leastAtMm", check.walls.least.at)
                 .add("firstPercentileMm", check.walls.firstPercentile)
+                .add("smallestWidthMm", check.smallestWidth)
+                .add("thinAreaMm2", check.walls.thinArea)
+                .add("thinPlaces", std::move(places))
                 .value();
   }
   object.add("walls", walls);
@@ -189,6 +241,7 @@ JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
   object.add("printable", problems.empty());
   object.add("problems", textList(problems));
+  object.add("notes", textList(check.notes));
   return object.value();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "exports/export_request.h"
 #include "exports/self_crossings.h"
 #include "exports/surface_topology.h"
 #include "exports/wall_thickness.h"
@@ -20,15 +21,21 @@ struct PrintCheck {
   std::size_t triangles = 0;
   std::size_t flatTriangles = 0;  ///< without an area
   SurfaceTopology topology;
+  std::size_t parts = 0;      ///< shells of the surface
+  std::size_t insideOut = 0;  ///< of those, closed ones that would have to be turned
+  std::size_t doubled = 0;    ///< triangles that are there already
   SelfCrossings crossings;
   WallThickness walls;
+  double smallestWidth = 0;        ///< that the walls were measured against
+  std::vector<std::string> notes;  ///< about what was put right before (print_repairs.h)
   Box box;
   double volume = 0;  ///< inside, overlaps counted twice; only meaningful when the topology is sound
 };
 
 struct PrintCheckLimits {
+  double smallestWidth =
+      ExportRequest{}.smallestWidth;   ///< millimetres, of the thinnest wall that can be printed
   std::size_t maxCrossings = 100'000;  ///< counting stops about there
-  int wallSamples = 65536;
 };
 
 /// Nothing when cancelled. The same for every thread count.
@@ -39,7 +46,7 @@ std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads = 1, const Pr
 /// `notMapped` is how many vertices of the original did not come into the sculpture.
 std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t notMapped);
 
-/// Worth knowing though it can be printed: thin walls.
+/// Worth knowing though it can be printed: what was put right, and walls that are thin in a few spots only.
 std::vector<std::string> findPrintHints(const PrintCheck& check);
 
 /// The figures for people: what each is, and how much.

@@ -74,29 +74,30 @@ std::size_t countPinched(const Mesh& mesh, Sets& fans) {
       std::count_if(fanCount.begin(), fanCount.end(), [](std::uint32_t count) { return count > 1; }));
 }
 
-// Shells, and those of them that are closed and inside out.
-void countShells(const Mesh& mesh, Sets& parts, const std::vector<std::uint32_t>& openTriangles,
-                 SurfaceTopology& topology) {
+std::vector<Shell> collectShells(const Mesh& mesh, Sets& parts,
+                                 const std::vector<std::uint32_t>& openTriangles) {
   const std::size_t count = mesh.triangles.size();
-  std::vector<double> volume(count, 0);  // sixfold, at each shell's root
-  std::vector<char> open(count, 0);
-  for (const std::uint32_t triangle : openTriangles) open[parts.root(triangle)] = 1;
+  std::vector<std::uint32_t> shellAt(count);  // of each root
+  std::vector<Shell> shells;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t root = parts.root(i);
+    if (root == i) {
+      shellAt[i] = static_cast<std::uint32_t>(shells.size());
+      shells.push_back({{}, true, 0});
+    }
+    Shell& shell = shells[shellAt[root]];
+    shell.triangles.push_back(i);
     const Point origin = mesh.positions[mesh.triangles[root][0]];
     const Point corner = mesh.positions[mesh.triangles[i][0]];
-    volume[root] += glm::dot(corner - origin, areaVector(mesh.positions, mesh.triangles[i]));
+    shell.volume += glm::dot(corner - origin, areaVector(mesh.positions, mesh.triangles[i])) / 6;
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (parts.root(i) != i) continue;
-    ++topology.shells;
-    if (!open[i] && volume[i] < 0) ++topology.inwardShells;
-  }
+  for (const std::uint32_t triangle : openTriangles) shells[shellAt[parts.root(triangle)]].isClosed = false;
+  return shells;
 }
 
 }  // namespace
 
-SurfaceTopology measureTopology(const Mesh& mesh) {
+Surface measureSurface(const Mesh& mesh) {
   SurfaceTopology topology;
   const std::vector<Side> sides = sortedSides(mesh);
   Sets parts(mesh.triangles.size()), fans(3 * mesh.triangles.size());
@@ -119,8 +120,7 @@ SurfaceTopology measureTopology(const Mesh& mesh) {
     openTriangles.push_back(sides[begin].slot / 3);
   }
   topology.pinchedCorners = countPinched(mesh, fans);
-  countShells(mesh, parts, openTriangles, topology);
-  return topology;
+  return {topology, collectShells(mesh, parts, openTriangles)};
 }
 
 }  // namespace anamorph

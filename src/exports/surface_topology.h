@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/mesh.h"
 
@@ -19,14 +21,24 @@ struct SurfaceTopology {
   std::size_t crowdedEdges = 0;    ///< used by three or more
   std::size_t turnedEdges = 0;     ///< used by two triangles in the same direction
   std::size_t pinchedCorners = 0;  ///< where more than one fan of triangles meets
-  std::size_t shells = 0;          ///< parts without a common edge
-  std::size_t inwardShells = 0;    ///< of those, closed ones whose signed volume is negative
 
   /// Whether slicers can tell inside from outside.
   bool isSound() const { return borderEdges + crowdedEdges + turnedEdges + pinchedCorners == 0; }
 };
 
+/// A part of the surface without a common edge with others.
+struct Shell {
+  std::vector<std::uint32_t> triangles;
+  bool isClosed = false;  ///< all of its edges are sound
+  double volume = 0;      ///< of a closed one: negative when its triangles face inwards
+};
+
+struct Surface {
+  SurfaceTopology topology;
+  std::vector<Shell> shells;  ///< in the order of their first triangles
+};
+
 /// Corners are the same when their indices are: weld first.
-SurfaceTopology measureTopology(const Mesh& mesh);
+Surface measureSurface(const Mesh& mesh);
 
 }  // namespace anamorph

@@ -15,6 +15,8 @@ constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double liftFraction = 1e-7;  // of the size, to be off the surface one stands on
 constexpr double leastCosine = 0.866;  // between the ray and the normal of the other side: 30 degrees
 constexpr int maxEntries = 16;         // surfaces that a ray enters on its way, of shells inside each other
+constexpr std::size_t mostPlaces = 5;  // that are named
+constexpr double placesApart = 0.05;   // of the size
 
 struct Wall {
   double thickness = none;
@@ -83,7 +85,25 @@ Wall measureAt(const Sampler& sampler, std::size_t index, std::size_t count) {
   return wall;
 }
 
-WallThickness summarize(std::vector<Wall> walls) {
+ThinPlace middleOf(const Wall& wall) {
+  return {wall.from + 0.5 * wall.thickness * wall.direction, wall.thickness};
+}
+
+// The first of `walls`, thinnest first, that are apart from those before.
+std::vector<ThinPlace> placesOf(const std::vector<Wall>& walls, std::size_t count, double apart) {
+  std::vector<ThinPlace> places;
+  for (std::size_t i = 0; i < count && places.size() < mostPlaces; ++i) {
+    const ThinPlace place = middleOf(walls[i]);
+    const bool isNew = std::none_of(places.begin(), places.end(), [&](const ThinPlace& other) {
+      return glm::length(other.at - place.at) < apart;
+    });
+    if (isNew) places.push_back(place);
+  }
+  return places;
+}
+
+// `area` is what each of the walls stands for.
+WallThickness summarize(std::vector<Wall> walls, double thin, double area, double size) {
   walls.erase(
       std::remove_if(walls.begin(), walls.end(), [](const Wall& wall) { return wall.thickness == none; }),
       walls.end());
@@ -92,21 +112,24 @@ WallThickness summarize(std::vector<Wall> walls) {
   if (walls.empty()) return result;
   std::stable_sort(walls.begin(), walls.end(),
                    [](const Wall& a, const Wall& b) { return a.thickness < b.thickness; });
-  const Wall& thinnest = walls.front();
-  result.least = thinnest.thickness;
-  result.leastAt = thinnest.from + 0.5 * thinnest.thickness * thinnest.direction;
+  result.least = middleOf(walls.front());
   result.firstPercentile = walls[walls.size() / 100].thickness;
+  const auto thick = std::partition_point(walls.begin(), walls.end(),
+                                          [&](const Wall& wall) { return wall.thickness < thin; });
+  const auto count = static_cast<std::size_t>(thick - walls.begin());
+  result.thinArea = area * static_cast<double>(count);
+  result.places = placesOf(walls, count, placesApart * size);
   return result;
 }
 
 }  // namespace
 
-std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, int samples, double inward,
+std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, const WallQuestion& question,
                                           int threads, const Progress& progress) {
-  if (bvh.empty() || samples <= 0) return WallThickness{};
-  const double lift = liftFraction * boundingBox(mesh.positions).diagonal();
-  const Sampler sampler{mesh, bvh, inward, lift, sumAreas(mesh)};
-  const auto count = static_cast<std::size_t>(samples);
+  if (bvh.empty() || question.samples <= 0) return WallThickness{};
+  const double size = boundingBox(mesh.positions).diagonal();
+  const Sampler sampler{mesh, bvh, question.inward, liftFraction * size, sumAreas(mesh)};
+  const auto count = static_cast<std::size_t>(question.samples);
   constexpr std::size_t batch = 8192;
   std::vector<Wall> walls(count);
   for (std::size_t first = 0; first < count; first += batch) {
@@ -115,7 +138,8 @@ std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, int 
       for (std::size_t i = first + begin; i < first + end; ++i) walls[i] = measureAt(sampler, i, count);
     });
   }
-  return summarize(std::move(walls));
+  const double area = 0.5 * sampler.areas.back() / double(count);  // areas are those of parallelograms
+  return summarize(std::move(walls), question.thin, area, size);
 }
 
 }  // namespace anamorph

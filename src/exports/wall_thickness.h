@@ -9,22 +9,35 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/progress.h"
 #include "geometry/bvh.h"
 
 namespace anamorph {
 
-struct WallThickness {
-  double least = 0;            ///< the smallest thickness found
-  Point leastAt{0};            ///< the middle of the wall there
-  double firstPercentile = 0;  ///< 99 % of the walls are thicker
-  std::size_t samples = 0;     ///< rays that came out again; 0: nothing is known
+/// The middle of a wall, and how thick it is there.
+struct ThinPlace {
+  Point at{0};
+  double thickness = 0;
 };
 
-/// Asks `samples` points. `inward` is -1 for a mesh that is inside out, else 1. Nothing when cancelled. The
-/// same for every thread count.
-std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, int samples = 65536,
-                                          double inward = 1, int threads = 1, const Progress& progress = {});
+struct WallThickness {
+  ThinPlace least;                ///< the thinnest that was found
+  double firstPercentile = 0;     ///< 99 % of the walls are thicker
+  double thinArea = 0;            ///< of the surface, both sides, where walls are thinner than asked for
+  std::vector<ThinPlace> places;  ///< where they are: the thinnest first, apart from each other, a few
+  std::size_t samples = 0;        ///< rays that came out again; 0: nothing is known
+};
+
+struct WallQuestion {
+  double thin = 0;  ///< what is thinner than this is a thin wall
+  int samples = 65536;
+  double inward = 1;  ///< -1 for a mesh that is inside out
+};
+
+/// Nothing when cancelled. The same for every thread count.
+std::optional<WallThickness> measureWalls(const Mesh& mesh, const Bvh& bvh, const WallQuestion& question,
+                                          int threads = 1, const Progress& progress = {});
 
 }  // namespace anamorph

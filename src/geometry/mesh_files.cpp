@@ -134,6 +134,7 @@ LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshL
                 : format == MeshFormat::stl ? readStl(bytes, remarks, limits)
                                             : readPly(bytes, remarks, limits);
   loaded.warnings = remarks.warnings();
+  loaded.up = guessUp(loaded.mesh, format, bytes);
   return loaded;
 }
 

@@ -13,13 +13,15 @@
 #include "base/progress.h"
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
+#include "geometry/up_guess.h"
 
 namespace anamorph {
 
-/// A mesh, and what was to be said about its file: whole sentences, `file: where: how many of what`.
+/// A mesh as its file has it, and what was to be said about the file: whole sentences, `file: where: how many of what`.
 struct LoadedMesh {
   Mesh mesh;
   std::vector<std::string> warnings;
+  UpGuess up = {};
 };
 
 /// Reads positions and faces; polygons are triangulated (concave ones too), negative indices resolved,

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/shared.h"
+#include "geometry/model_up.h"
 #include "math/placement.h"
 #include "optics/camera.h"
 #include "optics/material.h"
@@ -64,6 +65,7 @@ struct PawnShape {
 struct FileShape {
   std::string path;
   Shared<std::string> obj = std::string();  ///< the mesh as the text of an OBJ file; empty: it is in the file
+  ModelUp up = ModelUp::z;                  ///< of the mesh, which is turned so that it is up here
   bool operator==(const FileShape&) const = default;
 };
 

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "level/field_reader.h"
 #include "level/level.h"
 #include "level/limits.h"
@@ -157,6 +158,11 @@ void fields(At& at, FileShape& file) {
   const bool isName = !file.path.empty() && file.path.find('\0') == std::string::npos;
   at.expect(isName, "path", "the name of a mesh file");
   at.expect(file.path.size() <= limits::mostPathBytes, "path", "a shorter name of a mesh file");
+  std::string up = file.up == ModelUp::z ? "" : modelUpName(file.up);
+  at.textOrNone("up", up, limits::mostTitleBytes);
+  const auto axis = up.empty() ? ModelUp::z : findModelUp(up);
+  at.expect(axis.has_value(), "up", alternatives({modelUpNames.begin(), modelUpNames.end()}));
+  file.up = axis.value_or(ModelUp::z);
   std::string obj = *file.obj;
   at.textOrNone("obj", obj, limits::mostInsideBytes);
   file.obj = std::move(obj);

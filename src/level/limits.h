@@ -99,7 +99,8 @@ constexpr Range raySpeed{0, 10};  ///< scene units a second
 // ---- Files and pictures; `level` is what the command line takes
 
 constexpr Limit millimetresPerUnit{{1e-6, 1e6}, {0.001, 1000}};
-constexpr Limit plateThickness{{0.2, 100}, {0.2, 50}};  ///< millimetres, like the margin
+constexpr Limit smallestWidth{{0.001, 100}, {0.05, 10}};  ///< millimetres, of a printed wall
+constexpr Limit plateThickness{{0.2, 100}, {0.2, 50}};    ///< millimetres, like the margin
 constexpr Limit plateMargin{{0, 1000}, {0, 100}};
 constexpr Range scaleOnPaper{1e-3, 1e3}, scaleInLife{1e-3, 1e6};  ///< one : the other
 constexpr Limit sheetScale{{scaleInLife.min / scaleOnPaper.max, scaleInLife.max / scaleOnPaper.min},

@@ -12,7 +12,7 @@
 #include "base/language.h"
 #include "base/text.h"
 #include "edit/level_files.h"
-#include "edit/replacements.h"
+#include "edit/mesh_import.h"
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "panels/browser_places.h"
@@ -21,7 +21,6 @@
 #include "panels/level_sharing.h"
 #include "panels/view_mouse.h"
 #include "panels/widgets.h"
-#include "pipeline/original.h"
 
 namespace anamorph {
 namespace {
@@ -163,34 +162,12 @@ void chooseOriginal(Editor& editor, UiState& ui) {
 
 void importOriginal(Editor& editor, const fs::path& mesh) {
   editor.session.finishChange();
-  const Box box = originalBox(editor);
-  const bool keepSize = editor.session.isThesisScene() && !editor.session.canUndo();
-  const std::string name = meshNameFor(mesh, editor.session.path());
-  const std::string reading = trFormat("Reading {}", mesh.filename().string());
-  editor.job.start(
-      editor.session, reading,
-      [mesh, name, box, keepSize, levelPath = editor.session.path()](const Level& level,
-                                                                     const Progress& progress) {
-        const auto [read, warnings] = loadMesh(mesh, {}, &progress.token);
-        Box room = box;
-        if (room.empty() && findMissingMesh(level, levelPath)) room = roomInSight(level);
-        if (room.empty() && !keepSize) {  // not known yet: a level that has just been opened
-          const auto own = loadOriginal(level.original.shape, levelPath, {}, &progress.token).mesh;
-          room =
-              boundingBox(placeOriginal(*own, level.original.unitize, level.original.placement)->positions);
-        }
-        Level result = level;
-        if (keepSize) {
-          result.original.shape = FileShape{name};
-          const auto placed = placeOriginal(read, level.original.unitize, level.original.placement);
-          result.camera.target = boundingBox(placed->positions).centre();
-        } else {
-          result = withOriginal(level, FileShape{name}, read, room);
-        }
-        std::string message = trFormat("{}: {} vertices, {} triangles", mesh.filename().string(),
-                                       read.positions.size(), read.triangles.size());
-        return EditResult{result, withRemarks(message, warnings)};
-      });
+  MeshImport import{mesh, meshNameFor(mesh, editor.session.path()), editor.session.path(),
+                    originalBox(editor), editor.session.isThesisScene() && !editor.session.canUndo()};
+  editor.job.start(editor.session, trFormat("Reading {}", mesh.filename().string()),
+                   [import = std::move(import)](const Level& level, const Progress& progress) {
+                     return importMesh(import, level, progress);
+                   });
 }
 
 void acceptFiles(const std::vector<fs::path>& files, Editor& editor, UiState& ui) {

@@ -24,8 +24,9 @@ void saveCurrentAs(Editor& editor, UiState& ui);
 
 /// Opens the browser for a mesh that takes the original's place.
 void chooseOriginal(Editor& editor, UiState& ui);
-/// Reads a mesh in the background and puts it in the original's place, fitted into its box; one step to undo.
-/// For a scene of the thesis it keeps its size, as that scene means it.
+/// Reads a mesh in the background and puts it in the original's place, fitted into its box; in place of another mesh
+/// file it keeps rotation and scale (withAnotherMesh). Which way is up is guessed, and said where that turns it: one step
+/// to undo, before the import itself. For a scene of the thesis it stays as it is, as that scene means it.
 void importOriginal(Editor& editor, const std::filesystem::path& mesh);
 
 /// Files that were dropped on the window: a mesh takes the original's place, or is the one that was asked for, a level is

@@ -106,7 +106,8 @@ void giveMesh(const fs::path& mesh, Editor& editor, UiState& ui) {
   if (!ui.meshQuestion) return;
   Level level = std::move(ui.meshQuestion->level);
   ui.meshQuestion.reset();
-  level.original.shape = FileShape{meshNameFor(mesh, editor.session.path())};
+  auto& file = std::get<FileShape>(level.original.shape);
+  file = {.path = meshNameFor(mesh, editor.session.path()), .up = file.up};
   editor.session.edit(std::move(level));
   editor.message = trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string());
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "edit/model_turns.h"
 #include "edit/replacements.h"
 #include "panels/file_flow.h"
 #include "panels/help_buttons.h"
@@ -99,6 +100,24 @@ bool placementRows(Placement& placement) {
   return changed;
 }
 
+// For what lies on its back, or looks away.
+bool turnRows(const Editor& editor, Level& level) {
+  const Box box = originalBox(editor);
+  const Level before = level;
+  const auto* file = std::get_if<FileShape>(&level.original.shape);
+  if (file &&
+      wideButton("Stand up",
+                 "Most models that were not made for printing have y up. Their y axis becomes the height "
+                 "here; again: -y, x and z.",
+                 !box.empty())) {
+    level = withModelUp(level, nextModelUp(file->up), box);
+  }
+  int axis = -1;
+  if (segmentedControl("turns", axis, {"Turn x 90°", "Turn y 90°", "Turn z 90°"}, 3))
+    level = turnedQuarter(level, axis, box);
+  return !(level == before);
+}
+
 }  // namespace
 
 void drawOriginalProperties(Editor& editor, UiState& ui) {
@@ -107,6 +126,7 @@ void drawOriginalProperties(Editor& editor, UiState& ui) {
   if (section(ui, "Original")) changed |= shapeRows(editor, ui, level);
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
+    changed |= turnRows(editor, level);
     problemText(ui, missedText(editor.updater.result()));
     originalButtons(editor);
   }

@@ -42,7 +42,9 @@ struct ShapeMaker {
 LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
                             const MeshLimits& limits, const CancelToken* token) {
   LoadedMesh loaded = std::visit(ShapeMaker{levelPath, limits, token}, shape);
-  return {std::make_shared<const Mesh>(std::move(loaded.mesh)), std::move(loaded.warnings)};
+  const auto* file = std::get_if<FileShape>(&shape);
+  Mesh upright = standUp(std::move(loaded.mesh), file ? file->up : ModelUp::z);
+  return {std::make_shared<const Mesh>(std::move(upright)), std::move(loaded.warnings), loaded.up};
 }
 
 std::shared_ptr<const Mesh> placeOriginal(const Mesh& shape, bool unitized, const Placement& placement) {

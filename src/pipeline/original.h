@@ -16,9 +16,11 @@ namespace anamorph {
 struct LoadedOriginal {
   std::shared_ptr<const Mesh> mesh;
   std::vector<std::string> warnings;  ///< about its file, as loadMesh has them
+  UpGuess up = {};                    ///< likewise; the mesh is turned as its shape says
 };
 
-/// The level's own original, before it is placed: a built-in shape, a mesh file beside the level, or a mesh inside it.
+/// The level's own original, before it is placed, with z up: a built-in shape, a mesh file beside the level, or a mesh
+/// inside it.
 /// Throws Error, and Cancelled as readFile does.
 LoadedOriginal loadOriginal(const OriginalShape& shape, const std::filesystem::path& levelPath,
                             const MeshLimits& limits = {}, const CancelToken* token = nullptr);

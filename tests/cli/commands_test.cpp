@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "geometry/mesh_files.h"
 #include "level/json.h"
+#include "level/level_json.h"
 #include "program.h"
 #include "raytrace/png.h"
 
@@ -193,13 +194,50 @@ TEST(Deform, ModelForALevelIsFittedIntoItsOriginal) {
   EXPECT_EQ(member(json, "missedShare").number, 0);
 }
 
+// A house of 2 x 1 x 1.8 that lies on its back, in the plane level's box of 6 x 2 x 2.
+TEST(ModelUp, TurnsAModelAndTheMeshOfALevel) {
+  const TemporaryFolder folder;
+  const std::string house = data + "/field/obj-y-up/house.obj";
+  const auto heightOf = [&](const std::string& input) {
+    const Result result = run("deform " + input + " --tolerance off -o " + (folder / "s.ply"));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const Vector size = boundingBox(loadMesh(folder / "s.ply").mesh.positions).size();
+    return size.z / size.x;
+  };
+  const auto level = [&](const std::string& up) {
+    Level saved = loadLevel(std::string(ANAMORPH_LEVELS) + "/1-plane.json").level;
+    saved.original.shape = FileShape{.path = house, .up = *findModelUp(up)};
+    saveLevel(folder / "mine.json", saved);
+    return folder / "mine.json";
+  };
+  const std::string plane = "1-plane " + house;
+  EXPECT_NEAR(heightOf(plane), 0.5, 1e-6);
+  EXPECT_NEAR(heightOf(plane + " --model-up z"), 0.5, 1e-6);
+  for (const char* up : {"y", "-y", "auto"})
+    EXPECT_NEAR(heightOf(plane + " --model-up " + up), 0.9, 1e-6) << up;
+  EXPECT_NEAR(heightOf(plane + " --model-up x"), 2, 1e-6);
+  EXPECT_NEAR(heightOf(level("z")), 0.5, 1e-6);
+  EXPECT_NEAR(heightOf(level("y")), 0.9, 1e-6);
+  EXPECT_NEAR(heightOf(level("y") + " --model-up z"), 0.5, 1e-6);
+  EXPECT_NEAR(heightOf(level("x") + " --model-up auto"), 0.9, 1e-6);
+  const Result said = run("match " + plane + " --model-up auto --size 64");
+  EXPECT_NE(said.err.find("Its y axis is taken to point up"), std::string::npos) << said.err;
+  for (const char* command : {"match", "render", "export", "deform"}) {
+    const Result help = run(std::string(command) + " --help");
+    EXPECT_NE(help.out.find("--model-up"), std::string::npos) << command;
+    EXPECT_NE(help.out.find("a model is turned by --model-up instead"), std::string::npos) << help.out;
+  }
+  EXPECT_EQ(run("match 1-plane --model-up y").exitCode, 2) << "it has no mesh file";
+  EXPECT_EQ(run("match " + plane + " --model-up w").exitCode, 2);
+}
+
 TEST(Match, JsonHasEveryFigure) {
   const Result result = run("match 3-sphere --size 200 --json");
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const JsonValue json = parseJson(result.out, "out");
-  EXPECT_THAT(json.keys, ElementsAre("size", "originalPixels", "contourPx", "silhouetteIou", "correspondencePx",
-                                     "triangleAgreement", "hiddenShare", "missedShare", "extraShare", "grade",
-                                     "status"));
+  EXPECT_THAT(json.keys, ElementsAre("size", "originalPixels", "contourPx", "silhouetteIou",
+                                     "correspondencePx", "triangleAgreement", "hiddenShare", "missedShare",
+                                     "extraShare", "grade", "status"));
   EXPECT_THAT(member(json, "correspondencePx").keys, ElementsAre("mean", "p99", "max"));
   EXPECT_EQ(member(json, "size").number, 200);
   EXPECT_GE(member(json, "silhouetteIou").number, 0.99);

@@ -46,6 +46,28 @@ TEST(ExportCommand, ChecksWithoutWriting) {
   EXPECT_THAT(text.out, HasSubstr("size                120.0 x 40.0 x 40.0 mm\n"));
 }
 
+TEST(ExportCommand, ThinWallsAreAFaultOfTheWidthThatIsAskedFor) {
+  const Result usual = run("export 2-cylinder --check --json");
+  EXPECT_THAT(usual.out, HasSubstr("\"printable\": true"));
+  EXPECT_THAT(usual.out, HasSubstr("\"smallestWidthMm\": 0.8"));
+  const Result wide = run("export 2-cylinder --check --smallest-width 5");
+  EXPECT_THAT(wide.out, HasSubstr("printable           not as it is\n- walls are thinner than the 5 mm"));
+  EXPECT_EQ(run("export 2-cylinder --check --smallest-width 0").exitCode, 2);
+}
+
+TEST(ExportCommand, PutsRightWhatItMayAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string house = data + "/field/obj-duplicate-faces/house.obj";
+  const std::string command = "export 1-plane " + house + " -o " + (folder / "s.stl");
+  const Result mended = run(command + " --json");
+  EXPECT_THAT(mended.out, HasSubstr("were there twice and have been left out"));
+  EXPECT_THAT(mended.out, HasSubstr("\"printable\": true"));
+  const Result left = run(command + " --json --tolerance off");
+  EXPECT_THAT(left.out, HasSubstr("16 triangles are there twice, and stay because the tolerance is off"));
+  EXPECT_THAT(left.out, HasSubstr("\"printable\": false"));
+  EXPECT_EQ(loadMesh(folder / "s.stl").mesh.triangles.size(), 32u);
+}
+
 TEST(ExportCommand, SaysWhatToDoAboutAnOpenSculpture) {
   // The thesis' sphere scene does not show all of a cube ten times as large.
   const TemporaryFolder folder;

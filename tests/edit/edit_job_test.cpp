@@ -51,6 +51,18 @@ TEST_F(EditJobs, BringTheirLevelAsOneStep) {
   EXPECT_FALSE(session.canUndo());
 }
 
+TEST_F(EditJobs, BringTheLevelBetweenAsAStepOfItsOwn) {
+  job.start(session, "Work", [](const Level&, const Progress&) {
+    return EditResult{numbered(2), "done", numbered(1)};
+  });
+  EXPECT_EQ(waitFor(job, session), "done");
+  for (const int number : {2, 1, 0}) {
+    EXPECT_EQ(session.level(), numbered(number));
+    session.undo();
+  }
+  EXPECT_FALSE(session.canUndo());
+}
+
 TEST_F(EditJobs, ComeTooLateAfterAnotherChange) {
   job.start(session, "Work", [](const Level&, const Progress&) { return EditResult{numbered(7), ""}; });
   session.edit(numbered(1));

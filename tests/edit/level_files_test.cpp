@@ -150,6 +150,19 @@ TEST_F(MovedLevel, TakesItsMeshAlong) {
   EXPECT_EQ(loadLevel(folder / "b/level.json").level, level) << "it stays inside";
 }
 
+// A mesh that lies on its back: turned once, not twice and not never.
+TEST_F(MovedLevel, TheAxisThatPointsUpTravelsWithTheMesh) {
+  Level level = session.level();
+  std::get<FileShape>(level.original.shape).up = ModelUp::y;
+  const auto standing = loadOriginal(level.original.shape, session.path()).mesh;
+  const Level inside = withMeshInside(level, *standing);
+  EXPECT_EQ(*loadOriginal(inside.original.shape, session.path()).mesh, *standing);
+  Level open = level;
+  open.original.shape = FileShape{meshes / "cube.obj"};
+  const Level pasted = levelFromText(levelAsText(level, session.path()), open, "/nowhere/level.json").level;
+  EXPECT_EQ(pasted.original.shape, OriginalShape(FileShape{.path = meshes / "cube.obj", .up = ModelUp::y}));
+}
+
 TEST_F(MovedLevel, ALargeMeshStaysInItsFile) {
   const Mesh large = makeSphere(1, 128);
   EXPECT_EQ(errorOf([&] { withMeshInside(session.level(), large); }).find("cube.obj has "), 0u);

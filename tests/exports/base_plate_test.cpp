@@ -35,8 +35,8 @@ TEST(BasePlate, CarriesAFloatingSculptureOnPostsThatReachIntoIt) {
   // The plate and every post are closed shells of their own.
   const PrintCheck check = *checkPrint(plate.mesh);
   EXPECT_TRUE(check.topology.isSound());
-  EXPECT_EQ(check.topology.shells, 1 + plate.posts.size());
-  EXPECT_EQ(check.topology.inwardShells, 0u);
+  EXPECT_EQ(check.parts, 1 + plate.posts.size());
+  EXPECT_EQ(check.insideOut, 0u);
   // Each post's top is in the ball: just below its surface.
   for (std::size_t i = 0; i < plate.mesh.positions.size(); ++i) {
     const Point p = plate.mesh.positions[i];

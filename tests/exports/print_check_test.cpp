@@ -3,7 +3,11 @@
 #include "exports/print_check.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +43,8 @@ TEST(PrintCheck, FindsNothingInSoundSolids) {
     Random random(static_cast<std::uint32_t>(seed));
     const PrintCheck result = check(makeSolid(random, seed));
     EXPECT_TRUE(result.topology.isSound()) << seed;
-    EXPECT_EQ(result.topology.shells, 1u) << seed;
-    EXPECT_EQ(result.topology.inwardShells, 0u) << seed;
+    EXPECT_EQ(result.parts, 1u) << seed;
+    EXPECT_EQ(result.insideOut, 0u) << seed;
     EXPECT_EQ(result.crossings.pairs, 0u) << seed;
     EXPECT_GT(result.volume, 0) << seed;
     EXPECT_THAT(findPrintProblems(result, 0), ::testing::IsEmpty()) << seed;
@@ -116,9 +120,9 @@ TEST(PrintCheck, CountsTrianglesThatJoiningFlattens) {
 TEST(PrintCheck, FindsPartsInsideOutAndPinchedPoints) {
   Mesh inside = makeBox({1, 1, 1}, 2);
   for (Triangle& t : inside.triangles) std::swap(t[0], t[1]);
-  EXPECT_EQ(check(inside).topology.inwardShells, 1u);
+  EXPECT_EQ(check(inside).insideOut, 1u);
   EXPECT_LT(check(inside).volume, 0);
-  EXPECT_NEAR(check(inside).walls.least, 1, 1e-9) << "measured on the side where the solid is";
+  EXPECT_NEAR(check(inside).walls.least.thickness, 1, 1e-9) << "measured on the side where the solid is";
 
   Mesh boxes = makeBox({1, 1, 1}, 1);
   Mesh other = boxes;
@@ -126,7 +130,7 @@ TEST(PrintCheck, FindsPartsInsideOutAndPinchedPoints) {
   appendMesh(boxes, other);
   const PrintCheck pinched = check(boxes);
   EXPECT_EQ(pinched.topology.pinchedCorners, 1u) << "they meet in one corner";
-  EXPECT_EQ(pinched.topology.shells, 2u);
+  EXPECT_EQ(pinched.parts, 2u);
   EXPECT_EQ(pinched.crossings.pairs, 0u) << "touching is not crossing";
 }
 
@@ -148,7 +152,7 @@ TEST(SelfCrossings, AreTwoFacesTimesTwoWhereTetrahedraCross) {
   EXPECT_EQ(result.crossings.pairs, 3u);
   EXPECT_FALSE(result.crossings.more);
   ASSERT_TRUE(result.crossings.example);
-  EXPECT_EQ(result.topology.shells, 2u);
+  EXPECT_EQ(result.parts, 2u);
   EXPECT_TRUE(result.topology.isSound());
   EXPECT_THAT(findPrintProblems(result, 0)[0], HasSubstr("3 pairs of triangles"));
 }
@@ -232,7 +236,7 @@ TEST(Walls, OfASlabAreAsThickAsItIs) {
       return Point(0.8 * p.x - 0.6 * p.z, p.y + 300, 0.6 * p.x + 0.8 * p.z);  // turned
     });
     const WallThickness walls = check(slab).walls;
-    EXPECT_NEAR(walls.least, thickness, 1e-9 * thickness + 1e-12);
+    EXPECT_NEAR(walls.least.thickness, thickness, 1e-9 * thickness + 1e-12);
     EXPECT_NEAR(walls.firstPercentile, thickness, 1e-9 * thickness + 1e-12);
     EXPECT_GT(walls.samples, 60000u);
   }
@@ -244,9 +248,101 @@ TEST(Walls, OfABallWithAHollowAreFoundWhereTheyAreThinnest) {
   for (Triangle& t : hollow.triangles) std::swap(t[0], t[1]);
   appendMesh(ball, hollow);
   const PrintCheck result = check(ball);
-  EXPECT_NEAR(result.walls.least, 0.8, 0.1);
-  EXPECT_NEAR(result.walls.leastAt.x, 9.6, 0.4);
-  EXPECT_EQ(result.topology.inwardShells, 1u) << "the hollow";
+  EXPECT_NEAR(result.walls.least.thickness, 0.8, 0.1);
+  EXPECT_NEAR(result.walls.least.at.x, 9.6, 0.4);
+  EXPECT_EQ(result.insideOut, 0u) << "a hollow faces inwards";
+}
+
+// A block with a fin on its upper side, as one closed part.
+Mesh makeFinned(double finThickness, double finLength) {
+  const double t = 0.5 * finThickness, l = 0.5 * finLength;
+  const std::vector<std::array<double, 2>> outline{{-10, -10}, {10, -10}, {10, 0}, {t, 0},
+                                                   {t, 8},     {-t, 8},   {-t, 0}, {-10, 0}};
+  // The fin runs along y as far as the block: its thickness counts, and its length is the block's.
+  Mesh mesh;
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  for (const double y : {-l, l}) {
+    for (const auto& [x, z] : outline) mesh.positions.push_back({x, y, z});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t j = (i + 1) % count;
+    mesh.triangles.push_back({j, i, count + j});
+    mesh.triangles.push_back({count + j, i, count + i});
+  }
+  const auto cap = [&](const std::array<std::uint32_t, 4>& quad, std::uint32_t first, bool back) {
+    for (const std::array<std::size_t, 3>& corners : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+      Triangle triangle{quad[corners[0]] + first, quad[corners[1]] + first, quad[corners[2]] + first};
+      if (back) std::swap(triangle[1], triangle[2]);
+      mesh.triangles.push_back(triangle);
+    }
+  };
+  for (const bool back : {false, true}) {
+    const std::uint32_t first = back ? count : 0;
+    cap({0, 1, 2, 3}, first, back);
+    cap({0, 3, 6, 7}, first, back);
+    cap({3, 4, 5, 6}, first, back);
+  }
+  return mesh;
+}
+
+TEST(PrintCheck, ThinWallsAreAFault) {
+  struct Case {
+    double thickness, smallestWidth;
+    bool isFault;
+  };
+  for (const Case& c : {Case{0.01, 0.8, true}, Case{0.5, 0.8, true}, Case{0.5, 0.4, false},
+                        Case{0.9, 0.8, false}, Case{0.9, 1.0, true}}) {
+    SCOPED_TRACE(std::to_string(c.thickness) + " mm for " + std::to_string(c.smallestWidth));
+    const Mesh mesh = makeFinned(c.thickness, 40);
+    const PrintCheck result = *checkPrint(mesh, 1, {}, {.smallestWidth = c.smallestWidth});
+    ASSERT_TRUE(result.topology.isSound());
+    ASSERT_GT(result.volume, 0);
+    EXPECT_NEAR(result.walls.least.thickness, c.thickness, 1e-9);
+    EXPECT_NEAR(result.walls.thinArea, c.isFault ? 2 * 8 * 40 : 0, 15);
+    const auto problems = findPrintProblems(result, 0);
+    ASSERT_EQ(problems.size(), c.isFault ? 1u : 0u);
+    if (!c.isFault) continue;
+    EXPECT_THAT(problems[0], HasSubstr(fmt::format("thinner than the {:g} mm", c.smallestWidth)));
+    ASSERT_FALSE(result.walls.places.empty());
+    for (const ThinPlace& place : result.walls.places) {
+      EXPECT_NEAR(place.at.x, 0, 1e-9) << "in the fin's middle";
+      EXPECT_GE(place.at.z, 0);
+    }
+    const std::string json = formatJson(printCheckJson(result, 0));
+    EXPECT_THAT(json, HasSubstr("\"printable\": false"));
+    EXPECT_THAT(json, HasSubstr("\"atMm\": ["));
+  }
+}
+
+TEST(PrintCheck, ThinSpotsAreAHintAndNoFault) {
+  // A sharp tip: of a cone, of which the last bit is lost in print.
+  Mesh cone;
+  constexpr std::uint32_t sides = 48;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / sides;
+    cone.positions.push_back({8 * std::cos(angle), 8 * std::sin(angle), 0});
+  }
+  cone.positions.push_back({0, 0, 40});
+  cone.positions.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    cone.triangles.push_back({i, (i + 1) % sides, sides});
+    cone.triangles.push_back({(i + 1) % sides, i, sides + 1});
+  }
+  const PrintCheck result = check(cone);
+  ASSERT_TRUE(result.topology.isSound());
+  EXPECT_LT(result.walls.least.thickness, 0.8);
+  EXPECT_THAT(findPrintProblems(result, 0), ::testing::IsEmpty());
+  ASSERT_EQ(findPrintHints(result).size(), 1u);
+  EXPECT_THAT(findPrintHints(result)[0], HasSubstr("small spots are thinner than the 0.8 mm"));
+}
+
+TEST(PrintCheck, ASheetThatEnclosesNothingIsAFault) {
+  Mesh mesh;  // a triangle and its back
+  for (const Point& p : {Point(0, 0, 0), Point(9, 0, 0), Point(0, 9, 0)}) mesh.positions.push_back(p);
+  mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+  ASSERT_TRUE(check(mesh).topology.isSound());
+  ASSERT_EQ(findPrintProblems(check(mesh), 0).size(), 1u);
+  EXPECT_THAT(findPrintProblems(check(mesh), 0)[0], HasSubstr("encloses nothing"));
 }
 
 TEST(PrintCheck, IsTheSameForEveryThreadCountAndStopsWhenCancelled) {
@@ -254,8 +350,9 @@ TEST(PrintCheck, IsTheSameForEveryThreadCountAndStopsWhenCancelled) {
   const PrintCheck one = check(knot, 1), three = check(knot, 3);
   EXPECT_EQ(one.crossings.pairs, three.crossings.pairs);
   EXPECT_GT(one.crossings.pairs, 0u) << "so thick a knot goes through itself";
-  EXPECT_EQ(one.walls.least, three.walls.least);
+  EXPECT_EQ(one.walls.least.thickness, three.walls.least.thickness);
   EXPECT_EQ(one.walls.firstPercentile, three.walls.firstPercentile);
+  EXPECT_EQ(one.walls.thinArea, three.walls.thinArea);
   const Progress progress;
   progress.token.cancel();
   EXPECT_FALSE(checkPrint(knot, 1, progress));
@@ -266,7 +363,6 @@ TEST(PrintCheck, StopsCountingAtItsLimitAndSaysMore) {
   const Mesh soup = makeSoup(random, 20000, 1, 0.1);
   PrintCheckLimits limits;
   limits.maxCrossings = 1000;
-  limits.wallSamples = 64;
   const PrintCheck result = *checkPrint(soup, 0, {}, limits);
   EXPECT_TRUE(result.crossings.more);
   EXPECT_THAT(formatPrintCheck(result), HasSubstr("more than "));
@@ -274,11 +370,15 @@ TEST(PrintCheck, StopsCountingAtItsLimitAndSaysMore) {
 
 TEST(PrintCheck, FindsTheLevelsSculpturesSound) {
   for (const char* name : {"1-plane", "2-cylinder", "3-sphere"}) {
-    const PrintCheck result = *checkSculpture(testing::finishedLevel(name), 10);
+    const PrintCheck result = *checkSculpture(testing::finishedLevel(name), {});
     EXPECT_TRUE(result.topology.isSound()) << name;
-    EXPECT_EQ(result.topology.inwardShells, 0u) << name;
+    EXPECT_EQ(result.insideOut, 0u) << name;
     EXPECT_EQ(result.crossings.pairs, 0u) << name;
     EXPECT_THAT(formatPrintCheck(result), HasSubstr("faces outwards      yes")) << name;
+    // The knot's sculpture gets as thin as a foil.
+    const bool isThin = std::string(name) == "3-sphere";
+    EXPECT_EQ(findPrintProblems(result, 0).size(), isThin ? 1u : 0u) << name;
+    EXPECT_EQ(result.walls.firstPercentile < 0.1, isThin) << name;
   }
 }
 

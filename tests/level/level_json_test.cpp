@@ -94,6 +94,18 @@ TEST(LevelJson, WhatIsNotSaidIsTheDefault) {
   EXPECT_TRUE(parseLevel(text, "l.json").level == Level{});
 }
 
+TEST(LevelJson, TheAxisThatPointsUpIsWrittenOnlyWhenItIsNotZ) {
+  Level level;
+  for (const ModelUp up : {ModelUp::z, ModelUp::y, ModelUp::minusY, ModelUp::x}) {
+    level.original.shape = FileShape{.path = "a.obj", .up = up};
+    const std::string text = formatLevel(level);
+    EXPECT_EQ(text.find("\"up\": \"" + std::string(modelUpName(up)) + "\"") != std::string::npos,
+              up != ModelUp::z)
+        << text;
+    EXPECT_TRUE(parseLevel(text, "l.json").level == level) << text;
+  }
+}
+
 TEST(LevelJson, AcceptsBothFormsOfScaleAndTolerance) {
   const auto read = [](const std::string& from, const std::string& to) {
     return parseLevel(baseWith(from, to), "l.json").level;
@@ -244,6 +256,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "/original/shape/path: expected the name of a mesh file, got \"\""},
         BadLevel{"FileWithZeroByte", "\"torusKnot\"", "\"file\", \"path\": \"a\\u0000.obj\"",
                  "/original/shape/path: expected the name of a mesh file, got \"a\\u0000.obj\""},
+        BadLevel{"FileWithUnknownUp", "\"torusKnot\"", "\"file\", \"path\": \"a.obj\", \"up\": \"up\"",
+                 "/original/shape/up: expected z, y, -y or x, got \"up\""},
         BadLevel{"BoxOfNoSegments", "\"torusKnot\"", "\"box\", \"size\": [6, 2, 0]",
                  "/original/shape/size/2: expected a number from 1e-06 to 1e+06, got 0"},
         BadLevel{"TooManySegments", "\"segments\": 100", "\"segments\": 1e9",

@@ -106,7 +106,8 @@ class RandomLevel {
       case 4:
         return PawnShape{length(), whole(3, 2048)};
       default:
-        return FileShape{"x" + text(), coin() ? "v " + text() : std::string()};
+        return FileShape{"x" + text(), coin() ? "v " + text() : std::string(),
+                         static_cast<ModelUp>(whole(0, int(modelUpNames.size()) - 1))};
     }
   }
   Camera camera() {

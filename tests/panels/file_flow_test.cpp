@@ -448,6 +448,19 @@ TEST_F(FileFlow, WhatAMeshFileHasLostIsTold) {
   EXPECT_EQ(editor.updater.result().shapeWarnings.size(), 1u);
 }
 
+TEST_F(FileFlow, AMeshThatLiesIsStoodUpAndUndoingLaysItDown) {
+  const Level before = editor.session.level();
+  acceptFiles({fs::path(ANAMORPH_TEST_DATA) / "field/obj-y-up/house.obj"}, editor, ui);
+  waitForJob();
+  const auto up = [&] { return std::get<FileShape>(editor.session.level().original.shape).up; };
+  EXPECT_EQ(up(), ModelUp::y);
+  EXPECT_NE(editor.message.find("Its y axis is taken to point up"), std::string::npos) << editor.message;
+  editor.session.undo();
+  EXPECT_EQ(up(), ModelUp::z);
+  editor.session.undo();
+  EXPECT_EQ(editor.session.level(), before);
+}
+
 TEST_F(FileFlow, ASceneOfTheThesisKeepsTheMeshsSize) {
   openLevel(editor, fs::path(ANAMORPH_TEST_DATA) / "scenes/thesis-sphere.json");
   editor.updater.finish(editor.session, {});

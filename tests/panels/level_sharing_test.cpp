@@ -210,6 +210,16 @@ TEST_F(LevelSharing, WhatCannotBeReadIsNotShownAsWhatWasBefore) {
   EXPECT_TRUE(editor.updater.result().original.mesh);
 }
 
+TEST_F(LevelSharing, AMeshThatIsFoundStandsAsTheLevelSays) {
+  Level level = editor.session.level();
+  level.original.shape = FileShape{.path = "gone.obj", .up = ModelUp::x};
+  editor.session.edit(level);
+  askForMesh(editor, ui);
+  giveMesh(folder_ / "cube.obj", editor, ui);
+  EXPECT_EQ(editor.session.level().original.shape,
+            OriginalShape(FileShape{.path = "cube.obj", .up = ModelUp::x}));
+}
+
 TEST_F(LevelSharing, AMeshTravelsInside) {
   EXPECT_FALSE(isEnabled(Action::copyLevelWithMesh, editor, ui)) << "it has none";
   Level level = editor.session.level();

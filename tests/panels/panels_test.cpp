@@ -1,6 +1,7 @@
 #include "panels/panels.h"
 
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -397,6 +398,32 @@ TEST_F(Menus, EscClosesThemAndKeepsTheSelection) {
   }
   handleKey(keys::escape, 0, editor, ui);
   EXPECT_EQ(editor.selection.part, Part::none);
+}
+
+TEST_F(PanelsTest, ButtonsStandAMeshUpAndTurnIt) {
+  open("1-plane");
+  Level level = editor.session.level();
+  level.original.shape = FileShape{std::string(ANAMORPH_TEST_DATA) + "/field/obj-y-up/house.obj"};
+  editor.session.edit(level);
+  editor.updater.finish(editor.session, {});
+  editor.selection = {Part::original};
+  frames(3);
+  std::set<std::string> done;
+  const Rect& rect = ui.layout.properties;
+  for (float y = rect.y + 70; y < rect.y + rect.height; y += 6) {
+    click(rect.x + 0.5f * rect.width, y);
+    letGo();
+    const OriginalSettings& now = editor.session.level().original;
+    if (std::get_if<FileShape>(&now.shape) && std::get<FileShape>(now.shape).up == ModelUp::y)
+      done.insert("up");
+    if (now.placement.rotationDegrees == Vector(0, 90, 0)) done.insert("turned about y");
+    ui.browser.open = false;
+    while (editor.session.canUndo()) editor.session.undo();
+    editor.session.edit(level);
+    editor.updater.finish(editor.session, {});
+    frames(2);
+  }
+  EXPECT_EQ(done, (std::set<std::string>{"turned about y", "up"}));
 }
 
 class GizmoInTheView : public PanelsTest {};

@@ -24,6 +24,16 @@ TEST(Original, FileLiesBesideTheLevel) {
   EXPECT_THROW(loadOriginal(FileShape{"nothing.obj"}, level), Error);
 }
 
+TEST(Original, AFileStandsUpAsItsShapeSays) {
+  const std::string level = std::string(ANAMORPH_TEST_DATA) + "/field/level.json";
+  const auto lying = loadOriginal(FileShape{"obj-y-up/house.obj"}, level);
+  EXPECT_EQ(lying.up.up, ModelUp::y);
+  const auto standing = loadOriginal(FileShape{.path = "obj-y-up/house.obj", .up = ModelUp::y}, level).mesh;
+  EXPECT_EQ(boundingBox(standing->positions).size(), Vector(2, 1, 1.8));
+  EXPECT_EQ(standing->triangles, lying.mesh->triangles);
+  EXPECT_NEAR(signedVolume(*standing), signedVolume(*lying.mesh), 1e-12) << "turned, not mirrored";
+}
+
 TEST(Original, WarningsOfItsFileComeWithIt) {
   const std::string level = std::string(ANAMORPH_TEST_DATA) + "/field/level.json";
   const std::string file = "obj-face-of-two/house.obj";
