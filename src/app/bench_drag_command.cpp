@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "cli/print.h"
 #include "cli/report.h"
+#include "cli/scratch_folder.h"
 #include "gl/load_gl.h"
 #include "level/level_library.h"
 #include "panels/view_panel.h"
@@ -151,7 +152,7 @@ void printActions(const std::vector<ActionFrames>& actions) {
 }
 
 void bench(const BenchOptions& options, const CommonOptions& common) {
-  const BenchFolder folder;
+  const ScratchFolder folder;
   std::filesystem::path level = findLevel(options.level);
   if (options.triangles > 0) level = writeKnotLevel(level, options.triangles, folder.path());
   const HeadlessContext context;
@@ -207,7 +208,7 @@ void addBenchDragCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--frames", options->frames, "Frames of each drag (default 240)")
       ->check(numberIn(limits::benchFrames));
   addSizeOption(*command, options->size);
-  command->add_flag("--json", common.json, "Results as a JSON object");
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { bench(*options, common); });
 }

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -14,6 +15,7 @@
 #include "base/same_file.h"
 #include "base/system_call.h"
 #include "cli/print.h"
+#include "cli/report.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
 
@@ -28,12 +30,6 @@ fs::path targetOf(const std::string& name) {
   for (const char* same : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
     if (name == same) return standardOutput;
   }
-  return name;
-}
-
-fs::path makeTemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
   return name;
 }
 
@@ -87,20 +83,8 @@ Output::Output(std::string name, const std::string& format)
   if (!stream) return;
   const std::string ending = format.empty() ? lowerEnding(name_) : "." + format;
   if (ending.empty()) throw UsageError(name_ + ": expected --format, which says what is to be written there");
-  folder_ = makeTemporaryFolder();
-  path_ = folder_ / ("output" + ending);
+  path_ = folder_.emplace().path() / ("output" + ending);
 }
-
-Output::~Output() {
-  std::error_code ignored;
-  if (isStream()) fs::remove_all(folder_, ignored);
-}
-
-Output::Output(Output&& other) noexcept
-    : name_(std::move(other.name_)),
-      target_(std::move(other.target_)),
-      path_(std::move(other.path_)),
-      folder_(std::exchange(other.folder_, {})) {}
 
 bool Output::isStandardOutput() const {
   return target_ == standardOutput;
@@ -110,8 +94,7 @@ void Output::deliver() {
   if (!isStream()) return;
   std::ifstream file(path_, std::ios::binary);
   if (!file) throw Error("cannot be read again: " + systemReason(), path_.string());
-  std::error_code ignored;
-  fs::remove_all(std::exchange(folder_, {}), ignored);  // now: who reads the output may end us at any time
+  folder_.reset();  // now: who reads the output may end us at any time
   if (isStandardOutput()) {
     copyFrom(file, [](std::string_view piece) { printText(stdout, piece); });
     return flushResults();
@@ -131,11 +114,24 @@ std::vector<Output> makeOutputs(const std::vector<std::string>& names, const std
   return outputs;
 }
 
-Output pictureOutput(const std::string& name) {
+Output pictureOutput(const std::string& name, const CommonOptions& common) {
   Output output(name, "png");
   const ExportFormat& picture = formatOf(ExportKind::picture);
   if (!hasEnding(picture, output.path())) throw UsageError(wrongEnding(name, picture.endings));
+  if (output.isStandardOutput() && common.json) throw UsageError(jsonInTheWay);
   return output;
+}
+
+void sayPicture(const CommonOptions& common, const Output& output, int width, int height,
+                const std::string& what) {
+  if (!common.json)
+    return sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), width, height));
+  printJson(JsonObject()
+                .add("path", output.name())
+                .add("picture", what)
+                .add("width", static_cast<std::size_t>(width))
+                .add("height", static_cast<std::size_t>(height))
+                .value());
 }
 
 void checkOutputs(const std::vector<fs::path>& inputs, std::span<const Output> outputs, bool noClobber) {

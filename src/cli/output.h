@@ -7,11 +7,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "cli/common_options.h"
+#include "cli/scratch_folder.h"
 
 namespace anamorph {
 
@@ -24,9 +26,6 @@ class Output {
  public:
   /// `format` is of an output that is no file: -, /dev/stdout or a device. Throws UsageError when one needs it.
   explicit Output(std::string name, const std::string& format = {});
-  ~Output();
-  Output(Output&& other) noexcept;
-  Output& operator=(Output&&) = delete;
 
   /// For messages.
   const std::string& name() const { return name_; }
@@ -35,7 +34,7 @@ class Output {
   /// Where that goes in the end: the same, or a device.
   const std::filesystem::path& target() const { return target_; }
   bool isStandardOutput() const;
-  bool isStream() const { return !folder_.empty(); }
+  bool isStream() const { return folder_.has_value(); }
 
   /// The file has been written: brings it to where it is wanted. Throws Error.
   void deliver();
@@ -43,14 +42,19 @@ class Output {
  private:
   std::string name_;
   std::filesystem::path target_, path_;
-  std::filesystem::path folder_;  // of path_, where that is temporary
+  std::optional<ScratchFolder> folder_;  // of path_, where that is temporary
 };
 
 /// The outputs of one command. Throws UsageError, also when `format` is given and no output needs it.
 std::vector<Output> makeOutputs(const std::vector<std::string>& names, const std::string& format);
 
-/// An output for a picture. Throws UsageError when its name does not end in .png.
-Output pictureOutput(const std::string& name);
+/// An output for a picture. Throws UsageError when its name does not end in .png, and when standard output is to have
+/// the picture and --json.
+Output pictureOutput(const std::string& name, const CommonOptions& common);
+
+/// Says that a picture has been written: `what` it shows is for --json only.
+void sayPicture(const CommonOptions& common, const Output& output, int width, int height,
+                const std::string& what);
 
 /// Why --json cannot go with an output to standard output.
 inline constexpr const char* jsonInTheWay = "--json: standard output is taken by -o -";

@@ -41,6 +41,10 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   return warnings;
 }
 
+std::pair<int, int> sizeOf(const ExportRequest& request, const PixelGrid& grid) {
+  return request.exactSize ? *request.exactSize : pictureSize(grid, request.size);
+}
+
 }  // namespace
 
 std::optional<ExportSummary> writeSculpture(const LevelResult& finished, const ExportRequest& request,
@@ -72,9 +76,8 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& finished, cons
   const bool pdf = lowerEnding(request.path) == ".pdf";
   const std::string page = encodePage(sheet.page, pdf ? PageFormat::pdf : PageFormat::svg);
   if (progress.cancelled()) return std::nullopt;
-  ExportSummary summary{
-      trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
-      findPlateWarnings(finished, arrangement)};
+  ExportSummary summary{trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
+                        findPlateWarnings(finished, arrangement)};
   for (std::string& lost : writeFile(request.path, page)) summary.warnings.push_back(std::move(lost));
   return summary;
 }
@@ -92,7 +95,7 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
 
 std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.grid, request.size);
+  const auto [width, height] = sizeOf(request, finished.level.grid);
   std::shared_ptr<const Bvh> plate;
   if (request.basePlate)
     plate = plateInScene(makeArrangement(finished, request.millimetresPerUnit, request.basePlate));
@@ -113,13 +116,12 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  return ExportSummary{trFormat("match report, {}", grade),
-                       writeFile(request.path, page)};
+  return ExportSummary{trFormat("match report, {}", grade), writeFile(request.path, page)};
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
                                           int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.grid, request.size);
+  const auto [width, height] = sizeOf(request, finished.level.grid);
   Match match;
   const bool compares = request.picture == PictureKind::difference;
   if (compares) match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));
@@ -128,8 +130,7 @@ std::optional<ExportSummary> writePicture(const LevelResult& finished, const Exp
       makePicture(finished, request.picture, makeImageRequest(finished.level, width, height, threads), &match,
                   partOf(progress, compares ? 0.4 : 0, 1));
   if (!image) return std::nullopt;
-  return ExportSummary{trFormat("{} x {} pixels", width, height),
-                       savePng(request.path, *image)};
+  return ExportSummary{trFormat("{} x {} pixels", width, height), savePng(request.path, *image)};
 }
 
 }  // namespace anamorph

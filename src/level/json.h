@@ -15,6 +15,14 @@ constexpr std::size_t maxJsonDepth = 64;
 /// A limit to the memory a document takes: about 150 bytes a value.
 constexpr std::size_t maxJsonValues = 1000000;
 
+/// Where something begins in its file: line and column from 1 on, columns in characters; 0 where nothing was read.
+struct JsonPlace {
+  int line = 0, column = 0;
+
+  /// Where it was read makes no value another one.
+  bool operator==(const JsonPlace&) const { return true; }
+};
+
 struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };
 
@@ -23,6 +31,8 @@ struct JsonValue {
   double number = 0;              ///< finite
   std::vector<std::string> keys;  ///< of an object, in the order of the file, each once
   std::vector<JsonValue> items;   ///< of an array, or the values that belong to the keys
+  JsonPlace place{};              ///< where it begins
+  JsonPlace keyPlace{};           ///< of an object's item: where its key begins
 
   bool operator==(const JsonValue&) const = default;
 };
@@ -33,6 +43,9 @@ JsonValue parseJson(std::string_view text, const std::string& fileName);
 
 /// The value of an object's key; null when it has not got it, or is no object.
 const JsonValue* findMember(const JsonValue& object, std::string_view key);
+
+/// What a JSON pointer leads to; null when there is nothing.
+const JsonValue* findByPath(const JsonValue& document, std::string_view path);
 
 /// Indented by 2, a line for each item; values without objects inside stay on one line where they fit in 100
 /// columns.

@@ -148,6 +148,7 @@ struct LevelText {
   std::string description;
   std::string lesson;  ///< the lesson's steps, as JSON text on one line; empty: none
   std::vector<UnknownKey> unknownKeys;
+  std::string schema{};  ///< "$schema": where editors find what a level may hold; empty: none
 
   bool operator==(const LevelText&) const = default;
 };

@@ -1,6 +1,6 @@
-// The level file, said once: names, order, ranges and which keys are needed. FieldReader and FieldWriter both
-// walk these functions, so what is read and what is written cannot drift apart. levels/README.md explains the
-// same for people.
+// The level file, said once: names, order, ranges and which keys are needed. FieldReader, FieldWriter and FieldSchema
+// walk these functions, so what is read, what is written and what `anamorph schema` says cannot drift apart.
+// levels/README.md explains the same for people.
 //
 // To add a field: a member in level.h with its default, a line here, its limits in limits.h, a line in
 // levels/README.md.
@@ -15,8 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "level/field_reader.h"
+#include "level/lesson.h"
 #include "level/level.h"
+#include "level/level_json.h"
 #include "level/limits.h"
 #include "optics/shape_table.h"
 
@@ -226,11 +227,30 @@ void fields(At& at, ViewSettings& view) {
   at.field("fovDegrees", view.fovDegrees, limits::viewFieldOfView.level);
 }
 
-/// All but "format" and "version", which are not part of the level.
+constexpr std::array levelFormats{"anamorph-level"};
+enum class LevelFormat { level };
+
+/// What a level file holds before the level itself.
+struct LevelHeader {
+  LevelFormat format = LevelFormat::level;
+  int version = levelVersion;
+};
+
+template <typename At>
+void fields(At& at, LevelHeader& header) {
+  at.need({"format", "version"});
+  at.choice("format", header.format, levelFormats);
+  at.field("version", header.version, limits::formatVersion);
+  at.expect(header.version <= levelVersion, "version",
+            fmt::format("at most {} (this level was made by a newer Anamorph, please update)", levelVersion));
+}
+
+/// All but its header.
 template <typename At>
 void fields(At& at, Level& level) {
   at.need({"optic", "camera", "original"});
   LevelText text = *level.text;
+  at.textOrNone("$schema", text.schema, limits::mostTextBytes);
   at.field("title", text.title);
   at.field("description", text.description);
   at.object("optic", OpticFields{level.optic, level.mirrorLook});
@@ -242,7 +262,7 @@ void fields(At& at, Level& level) {
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);
   at.object("view", level.view);
-  at.opaque("lesson", text.lesson, limits::mostLessonBytes);
+  at.template textOf<Lesson>("lesson", text.lesson, limits::mostLessonBytes);
   level.text = std::move(text);
 }
 
