@@ -11,6 +11,7 @@
 #include "cli/input.h"
 #include "cli/print.h"
 #include "cli/report.h"
+#include "level/json_places.h"
 #include "level/lesson_check.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
@@ -80,8 +81,11 @@ void checkLoaded(const std::string& path, const LoadedLevel& loaded, const Commo
       checkLevel(path, loaded, common, finding);
     }
   } catch (const Error& error) {
-    if (!error.file.empty()) throw;
-    throw Error(error.message, path);
+    if (error.file.empty()) throw Error(error.message, path);
+    // A mesh that is not there is told by its path in the level alone.
+    const JsonValue* named = error.where.empty() ? nullptr : findByPath(loaded.document, error.where);
+    if (!named) throw;
+    throw Error(error.message, error.file, whereText(named->place, error.where));
   }
 }
 

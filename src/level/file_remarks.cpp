@@ -1,7 +1,6 @@
 #include "level/file_remarks.h"
 
 #include <algorithm>
-#include <iterator>
 #include <tuple>
 
 #include <fmt/format.h>

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "level/json_places.h"
 
 namespace anamorph {
 namespace {

@@ -8,20 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "level/json_places.h"
+
 namespace anamorph {
 
 /// Deeper documents are refused while they are read, so that no later recursion is deep.
 constexpr std::size_t maxJsonDepth = 64;
 /// A limit to the memory a document takes: about 150 bytes a value.
 constexpr std::size_t maxJsonValues = 1000000;
-
-/// Where something begins in its file: line and column from 1 on, columns in characters; 0 where nothing was read.
-struct JsonPlace {
-  int line = 0, column = 0;
-
-  /// Where it was read makes no value another one.
-  bool operator==(const JsonPlace&) const { return true; }
-};
 
 struct JsonValue {
   enum class Kind { null, boolean, number, string, array, object };

@@ -6,9 +6,15 @@
 #include <string>
 #include <string_view>
 
-#include "level/json.h"
-
 namespace anamorph {
+
+/// Where something begins in its file: line and column from 1 on, columns in characters; 0 where nothing was read.
+struct JsonPlace {
+  int line = 0, column = 0;
+
+  /// Where it was read makes no value another one.
+  bool operator==(const JsonPlace&) const { return true; }
+};
 
 class JsonPlaces {
  public:

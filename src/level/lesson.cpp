@@ -9,8 +9,9 @@
 #include "base/error.h"
 #include "level/field_reader.h"
 #include "level/field_schema.h"
-#include "level/level_fields.h"
+#include "level/level.h"
 #include "level/limits.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {

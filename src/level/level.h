@@ -8,6 +8,7 @@
 // up.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <variant>
@@ -67,6 +68,9 @@ struct FileShape {
 };
 
 using OriginalShape = std::variant<BoxShape, SphereShape, TorusKnotShape, LetterFShape, PawnShape, FileShape>;
+/// What they are called in files.
+inline constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
+static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
 
 struct OriginalSettings {
   OriginalShape shape;

@@ -17,15 +17,12 @@
 
 #include "level/lesson.h"
 #include "level/level.h"
-#include "level/level_json.h"
 #include "level/limits.h"
 #include "optics/shape_table.h"
 
 namespace anamorph {
 
 constexpr std::array opticKinds{"mirror", "none"};
-constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
-static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
 
 /// The keys of a shape.
 struct ShapeKeys : ShapeFields {
@@ -227,25 +224,7 @@ void fields(At& at, ViewSettings& view) {
   at.field("fovDegrees", view.fovDegrees, limits::viewFieldOfView.level);
 }
 
-constexpr std::array levelFormats{"anamorph-level"};
-enum class LevelFormat { level };
-
-/// What a level file holds before the level itself.
-struct LevelHeader {
-  LevelFormat format = LevelFormat::level;
-  int version = levelVersion;
-};
-
-template <typename At>
-void fields(At& at, LevelHeader& header) {
-  at.need({"format", "version"});
-  at.choice("format", header.format, levelFormats);
-  at.field("version", header.version, limits::formatVersion);
-  at.expect(header.version <= levelVersion, "version",
-            fmt::format("at most {} (this level was made by a newer Anamorph, please update)", levelVersion));
-}
-
-/// All but its header.
+/// All but "format" and "version", which are not part of the level.
 template <typename At>
 void fields(At& at, Level& level) {
   at.need({"optic", "camera", "original"});

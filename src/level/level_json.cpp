@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/error.h"
 #include "base/file.h"
 #include "level/field_reader.h"
@@ -14,9 +16,27 @@
 namespace anamorph {
 namespace {
 
+constexpr std::array formats{"anamorph-level"};
+enum class Format { level };
+
+/// What a level file holds before the level itself.
+struct Header {
+  Format format = Format::level;
+  int version = levelVersion;
+};
+
+template <typename At>
+void fields(At& at, Header& header) {
+  at.need({"format", "version"});
+  at.choice("format", header.format, formats);
+  at.field("version", header.version, limits::formatVersion);
+  at.expect(header.version <= levelVersion, "version",
+            fmt::format("at most {} (this level was made by a newer Anamorph, please update)", levelVersion));
+}
+
 Level readLevel(const JsonValue& document, FieldReader::Context& context) {
   FieldReader reader(document, "", context);
-  LevelHeader header;
+  Header header;
   fields(reader, header);
   context.remarks.throwFaults();  // under another version every other complaint would mislead
   Level level;
@@ -28,7 +48,7 @@ Level readLevel(const JsonValue& document, FieldReader::Context& context) {
 
 /// A level file: FieldSchema walks both parts as one.
 struct HeaderAndLevel {
-  LevelHeader header;
+  Header header;
   Level level;
 };
 
@@ -67,7 +87,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
 std::string formatLevel(const Level& level) {
   Level copy =
       level;  // reading and writing share the functions that list the fields, and those take a reference
-  LevelHeader header;
+  Header header;
   FieldWriter writer("", level.text->unknownKeys);
   fields(writer, header);
   fields(writer, copy);

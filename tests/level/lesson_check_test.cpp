@@ -51,7 +51,7 @@ TEST(LessonCheck, FindsAMisspeltControl) {
   EXPECT_EQ(faultOf("[]", R"({"tab": "sculpture", "widget": "Depth scale k"})"), "");
   EXPECT_EQ(
       faultOf("[]", R"({"tab": "sculpture", "widget": "Depth sclae k"})"),
-      "l.json: line 7, column 47: /lesson/steps/0/show/widget: expected the English name of a control, got "
+      "l.json: line 7, column 46: /lesson/steps/0/show/widget: expected the English name of a control, got "
       "\"Depth sclae k\"; did you mean \"Depth scale k\"?");
 }
 
