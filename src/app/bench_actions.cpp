@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/error.h"
-#include "base/folder.h"
 #include "edit/replacements.h"
 #include "level/level_json.h"
 #include "level/limits.h"
@@ -25,15 +23,6 @@ bool isComputed(Gui& gui) {
 }
 
 }  // namespace
-
-BenchFolder::BenchFolder() : path_(fs::temp_directory_path() / fmt::format("anamorph-bench-{}", ::getpid())) {
-  makeFolder(path_);
-}
-
-BenchFolder::~BenchFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
 
 fs::path writeKnotLevel(const fs::path& level, std::size_t triangles, const fs::path& folder) {
   constexpr double aspect = 38;  // of segments to sides: the triangles are about as long as wide

@@ -8,20 +8,6 @@
 
 namespace anamorph {
 
-/// A folder for what a benchmark writes; gone with the object. Throws Error when none can be made.
-class BenchFolder {
- public:
-  BenchFolder();
-  ~BenchFolder();
-  BenchFolder(const BenchFolder&) = delete;
-  BenchFolder& operator=(const BenchFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// A copy of the level there, with a torus knot of about so many triangles as its original, as large as the old one.
 /// Returns its file. Throws Error.
 std::filesystem::path writeKnotLevel(const std::filesystem::path& level, std::size_t triangles,

@@ -15,6 +15,7 @@
 #include "app/commands.h"
 #include "app/headless_gui.h"
 #include "base/error.h"
+#include "base/temporary_file.h"
 #include "cli/print.h"
 #include "cli/report.h"
 #include "gl/load_gl.h"
@@ -151,7 +152,7 @@ void printActions(const std::vector<ActionFrames>& actions) {
 }
 
 void bench(const BenchOptions& options, const CommonOptions& common) {
-  const BenchFolder folder;
+  TemporaryFolder folder;
   std::filesystem::path level = findLevel(options.level);
   if (options.triangles > 0) level = writeKnotLevel(level, options.triangles, folder.path());
   const HeadlessContext context;
@@ -208,7 +209,7 @@ void addBenchDragCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--frames", options->frames, "Frames of each drag (default 240)")
       ->check(numberIn(limits::benchFrames));
   addSizeOption(*command, options->size);
-  command->add_flag("--json", common.json, "Results as a JSON object");
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { bench(*options, common); });
 }

@@ -10,11 +10,11 @@
 #include <imgui.h>
 
 #include "app/fonts.h"
-#include "app/languages.h"
 #include "base/error.h"
 #include "base/resources.h"
 #include "edit/advance.h"
 #include "gl/load_gl.h"
+#include "level/languages.h"
 #include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels/key_input.h"

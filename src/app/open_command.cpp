@@ -1,15 +1,17 @@
 // anamorph [LEVEL]: the window.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "app/commands.h"
-#include "app/languages.h"
 #include "app/preferences.h"
+#include "app/step_option.h"
 #include "app/window.h"
 #include "cli/input.h"
 #include "geometry/mesh_files.h"
+#include "level/languages.h"
 #include "level/level_library.h"
 
 namespace anamorph {
@@ -23,7 +25,7 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
     std::string level = "0-perspective", model, theme, language, stateLog;
     double uiScale = 0;
     std::pair<int, int> size{1280, 800};
-    std::size_t step = 0;
+    std::optional<std::size_t> step;
     bool fullscreen = false, present = false, noTour = false;
   };
   CLI::App* command = app.add_subcommand("open", "Open the window (also without the word: anamorph LEVEL)");
@@ -38,11 +40,10 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
       ->add_option("--ui-scale", options->uiScale,
                    "Size of text and controls, 0.75 to 3 (default: as the screen says)")
       ->check(numberIn(limits::uiScale));
-  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default: as the system)");
+  addLanguageOption(*command, options->language, "Of the panels: en, nl, ... (default: as the system)");
   addSizeOption(*command, options->size);
   command->add_flag("--fullscreen", options->fullscreen, "Fill the screen");
-  command->add_option("--step", options->step, "The step of the lesson to begin with, from 1 on")
-      ->check(numberIn(limits::stepNumber));
+  addStepOption(*command, options->step, "The step of the lesson to begin with, from 1 on");
   command->add_flag("--present", options->present,
                     "The step in large letters and a mark around the mouse, for an audience (F3)");
   command->add_flag("--no-tour", options->noTour, "Do not show newcomers around");
@@ -57,12 +58,13 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
     for (const std::string& name : {options->level, options->model}) checkInput(name);
     if (!window.model.empty()) loadMesh(window.model);
     window.level = readLevelFile(findLevel(options->level));  // an Error comes before a window does
+    checkStep(options->step, window.level.loaded.lesson);
     if (!options->language.empty()) chooseLanguage(options->language);
     window.language = options->language;
     window.theme = findTheme(options->theme);
     if (options->uiScale > 0) window.uiScale = options->uiScale;
     window.fullscreen = options->fullscreen;
-    window.step = options->step;
+    window.step = options->step.value_or(0);
     window.present = options->present;
     window.tour = !options->noTour;
     window.width = options->size.first;

@@ -11,16 +11,17 @@
 
 #include "app/commands.h"
 #include "app/headless_gui.h"
-#include "app/languages.h"
 #include "app/preferences.h"
 #include "app/shot.h"
+#include "app/step_option.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/input.h"
 #include "cli/usage_error.h"
 #include "edit/lesson_run.h"
-#include "level/level_json.h"
-#include "level/level_library.h"
+#include "level/languages.h"
 #include "panels/actions.h"
+#include "panels/file_flow.h"
 #include "panels/lesson_text.h"
 #include "raytrace/png.h"
 
@@ -28,10 +29,10 @@ namespace anamorph {
 namespace {
 
 struct ScreenshotOptions {
-  std::string level, output, theme = "dark", language = "en", select, pixel, tab, modelUp;
+  std::string level, model, output, theme = "dark", language = "en", select, pixel, tab, modelUp;
   std::pair<int, int> size{1280, 800};
   double uiScale = 1, morph = 1;
-  std::size_t step = 0;
+  std::optional<std::size_t> step;
   int tour = 0;
   bool present = false, help = false, exporting = false, progress = false, showMe = false;
   bool noPanels = false, transparent = false, lookThrough = false;
@@ -75,7 +76,7 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
   ui.panelsHidden = options.noPanels;
   if (options.lookThrough) toggleLookThrough(editor);
   advanceLesson(editor);
-  if (options.step > 0) openStep(editor, options.step - 1);
+  if (options.step) openStep(editor, *options.step - 1);
   if (options.present) perform(Action::present, editor, ui);
   if (options.help) perform(Action::help, editor, ui);
   if (options.exporting) perform(Action::exportFiles, editor, ui);
@@ -83,23 +84,57 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
   if (options.tour > 0) ui.tour.card = options.tour - 1;
 }
 
+// What comes from standard input is read once, into a file that the window can read again.
+class Model {
+ public:
+  Model(const std::string& name, const CommonOptions& common) : path_(name) {
+    if (name.empty()) return;
+    if (isStandardInput(name)) {
+      const FileBytes bytes = readStandardInput(common.meshLimits().maxBytes, MeshLimits::bytesHelp);
+      path_ = folder_.emplace().file(standardInputName);
+      writeFile(path_, bytes.view());
+    }
+    sayWarnings(common, loadMesh(path_, common.meshLimits()).warnings);  // an Error comes before the work
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::optional<TemporaryFolder> folder_;
+  std::filesystem::path path_;
+};
+
+// `modelUp`: as of all commands, z unless it is said.
+void takeModel(HeadlessGui& headless, const std::filesystem::path& model, const std::string& modelUp) {
+  Editor& editor = headless.gui().editor();
+  importOriginal(editor, model,
+                 modelUp == "auto" ? std::nullopt : findModelUp(modelUp.empty() ? "z" : modelUp));
+  while (editor.job.busy()) headless.frame();
+}
+
 void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
-  Output output = pictureOutput(options.output);
-  checkInput(options.level);
-  const std::filesystem::path level = findLevel(options.level);
-  checkOutputs(filesRead(level.string(), loadLevel(level).level), {&output, 1}, common.noClobber);
+  Output output = pictureOutput(options.output, common);
+  checkInputs(options.level, options.model);
+  auto [path, loaded] = readLevelInput(options.level);
+  checkStep(options.step, loaded.lesson);
+  const std::string& read = isStandardInput(options.level) ? options.level : path;
+  checkOutputs(filesRead(read, loaded.level, options.model), {&output, 1}, common.noClobber);
+  sayWarnings(common, loaded.warnings);
+  const Model model(options.model, common);
   const HeadlessContext context;
   Preferences preferences;
   preferences.theme = findTheme(options.theme).value_or(Theme::dark);
   preferences.uiScale = options.uiScale;
   preferences.language = options.language;
-  chooseLanguage(options.language);  // an Error comes before the work
+  chooseLanguage(options.language);
   HeadlessGui headless(options.size.first, options.size.second, preferences, common.threads);
   Gui& gui = headless.gui();
-  gui.open(level);
-  Session& session = gui.editor().session;
-  if (!options.modelUp.empty())
+  gui.open(LevelFile{path, std::move(loaded), timeOf(path)});
+  if (!options.model.empty()) {
+    takeModel(headless, model.path(), options.modelUp);
+  } else if (!options.modelUp.empty()) {
+    Session& session = gui.editor().session;
     session.edit(applyModelUp(session.level(), options.modelUp, session.path(), common));
+  }
   gui.setTransparent(options.transparent);
   gui.ui().bare = options.transparent && options.noPanels;
   arrange(gui.editor(), gui.ui(), options);
@@ -117,7 +152,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   if (options.transparent) divideByAlpha(bitmap);
   sayWarnings(common, savePng(output.path(), options.transparent ? bitmap : withoutAlpha(bitmap)));
   output.deliver();
-  sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), bitmap.width, bitmap.height));
+  sayPicture(common, output, bitmap.width, bitmap.height, "window");
 }
 
 }  // namespace
@@ -127,9 +162,12 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
       app.add_subcommand("screenshot", "Draw what the window shows, without a display, as PNG");
   const auto options = std::make_shared<ScreenshotOptions>();
   command
-      ->add_option("FILE", options->level,
-                   "A level (a file, or the name of an installed one) or a thesis scene")
+      ->add_option(
+          "FILE", options->level,
+          "A level (a file, the name of an installed one, or - for standard input) or a thesis scene")
       ->required();
+  command->add_option("MODEL", options->model,
+                      "An OBJ, STL or PLY mesh, or -, that takes the place of the original");
   command->add_option("-o,--output", options->output, "The PNG file to write; - for standard output")
       ->required();
   addNoClobber(*command, common);
@@ -138,7 +176,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
       ->check(numberIn(limits::uiScale));
   command->add_option("--theme", options->theme, "dark, light or projector (default dark)")
       ->check(CLI::IsMember({"dark", "light", "projector"}));
-  command->add_option("--language", options->language, "Of the panels: en, nl, ... (default en)");
+  addLanguageOption(*command, options->language, "Of the panels: en, nl, ... (default en)");
   command->add_flag("--no-panels", options->noPanels, "Only the 3D view");
   command->add_flag("--transparent", options->transparent, "No background and no ground: transparent there");
   command->add_flag("--look-through", options->lookThrough, "Seen through the RT camera");
@@ -150,8 +188,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
                       "The original's vertex whose construction is shown");
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
       ->check(CLI::IsMember(std::vector<std::string>(previewTabs.begin(), previewTabs.end())));
-  command->add_option("--step", options->step, "The step of the lesson that is open, from 1 on")
-      ->check(numberIn(limits::stepNumber));
+  addStepOption(*command, options->step, "The step of the lesson that is open, from 1 on");
   command->add_flag("--show-me", options->showMe, "After the move that the step shows");
   command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
   command->add_flag("--help-window", options->help, "With the help window");
@@ -161,6 +198,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
       ->check(numberIn(limits::fractions));
   addModelUpOption(*command, options->modelUp);
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { screenshot(*options, common); });
 }

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/check.h"
 #include "base/text.h"
 
 namespace anamorph {
@@ -17,6 +20,12 @@ std::string join(const std::string& file, const std::string& where, const std::s
   return text + message;
 }
 
+std::string firstOf(const std::vector<Error>& faults) {
+  CHECK(!faults.empty());
+  const std::string first = faults.front().what();
+  return faults.size() == 1 ? first : fmt::format("{} (and {} more)", first, faults.size() - 1);
+}
+
 }  // namespace
 
 Error::Error(std::string messageText, std::string fileName, std::string place)
@@ -24,5 +33,18 @@ Error::Error(std::string messageText, std::string fileName, std::string place)
       message(std::move(messageText)),
       file(std::move(fileName)),
       where(shortened(std::move(place), longestPlace)) {}
+
+Error::Error(std::vector<Error> found)
+    : std::runtime_error(firstOf(found)),
+      message(found.front().message),
+      file(found.front().file),
+      where(found.front().where),
+      faults(std::move(found)) {}
+
+std::vector<std::string> linesOf(const Error& error) {
+  std::vector<std::string> lines;
+  for (const Error& fault : error.faults) lines.emplace_back(fault.what());
+  return lines.empty() ? std::vector<std::string>{error.what()} : lines;
+}
 
 }  // namespace anamorph

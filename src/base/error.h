@@ -6,16 +6,24 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace anamorph {
 
 struct Error : std::runtime_error {
   /// `where` is a JSON path, a line, a vertex...; empty parts are left out of what().
   explicit Error(std::string message, std::string file = {}, std::string where = {});
+  /// Several faults of one file, at least one, found at once. It reads as the first of them, and says how many more
+  /// there are.
+  explicit Error(std::vector<Error> found);
 
   std::string message;
   std::string file;
   std::string where;
+  std::vector<Error> faults;  ///< all of them, where several were found at once
 };
+
+/// A line for each fault: what() of the error, or of all that were found at once.
+std::vector<std::string> linesOf(const Error& error);
 
 }  // namespace anamorph

@@ -1,6 +1,6 @@
 // The language of everything that people read in the window: one table from the English text, which stands
 // in the code and in the levels, to the same text in the chosen language. A language is a file of its own
-// (assets/languages, read by app/languages.h) and needs no code.
+// (assets/languages, read by level/languages.h) and needs no code.
 //
 //   tr("Save")  -->  "Opslaan"      what a table does not have stays English
 //   trFormat("Saved: {}", file)     the same with values in it

@@ -113,20 +113,23 @@ bool TemporaryFile::moveTo(const fs::path& target) {
   return true;
 }
 
-TemporaryFolder::TemporaryFolder(const std::string& fileName) {
+TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
   if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
-  folder_ = name;
-  file_ = folder_ / fileName;
-  folderSlot_ = takeSlot(folder_.string());
-  fileSlot_ = takeSlot(file_.string());
+  path_ = name;
+  slots_.push_back(takeSlot(name));
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  ::unlink(file_.c_str());
-  ::rmdir(folder_.c_str());
-  giveSlot(fileSlot_);
-  giveSlot(folderSlot_);
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+  for (const int slot : slots_) giveSlot(slot);
+}
+
+fs::path TemporaryFolder::file(const std::string& name) {
+  const fs::path file = path_ / name;
+  slots_.push_back(takeSlot(file.string()));
+  return file;
 }
 
 // The files first, so that folders are empty. Neither call does anything to what is the other's.

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace anamorph {
 
@@ -32,20 +33,22 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// A folder of its own among the system's temporary files, for one file; both go with this object, or by a signal.
+/// A folder among the system's temporary files; goes with this object and all that is in it, or by a signal.
 class TemporaryFolder {
  public:
-  /// For a file of this name. Throws Error.
-  explicit TemporaryFolder(const std::string& fileName);
+  /// A new one. Throws Error when none can be made.
+  TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& path() const { return path_; }
+  /// The path of a file in it. Files that nobody has asked for in this way are no business of signals.
+  std::filesystem::path file(const std::string& name);
 
  private:
-  std::filesystem::path folder_, file_;
-  int folderSlot_, fileSlot_;
+  std::filesystem::path path_;
+  std::vector<int> slots_;
 };
 
 /// From now on a process that INT, TERM or HUP ends removes what is temporary of it, and still dies of the signal. A

@@ -1,5 +1,8 @@
 // anamorph check: what is wrong with a level, a scene or a mesh, and where.
 
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -7,6 +10,9 @@
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/print.h"
+#include "cli/report.h"
+#include "level/json_places.h"
+#include "level/lesson_check.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "pipeline/evaluator.h"
@@ -15,48 +21,71 @@
 namespace anamorph {
 namespace {
 
-std::string checkMesh(const LoadedMesh& loaded, const std::string& file, const CommonOptions& common) {
-  sayWarnings(common, loaded.warnings);
+// What is said of a file; faults are thrown, and keep what was found before them.
+struct Finding {
+  std::string summary;
+  std::vector<std::string> warnings;
+
+  void warn(const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
+};
+
+void checkMesh(const LoadedMesh& loaded, const std::string& file, Finding& finding) {
+  finding.warn(loaded.warnings);
   const Mesh& mesh = loaded.mesh;
   const Vector size = boundingBox(mesh.positions).size();
   const WeldedMesh welded = weldPositions(mesh);
   if (welded.mesh.triangles.empty()) throw Error("expected triangles with an area, got none", file);
-  return fmt::format("mesh, {} vertices, {} triangles, {:.4g} x {:.4g} x {:.4g}, {}", mesh.positions.size(),
-                     mesh.triangles.size(), size.x, size.y, size.z,
-                     isClosed(welded.mesh) ? "closed" : "not closed");
+  finding.summary = fmt::format("mesh, {} vertices, {} triangles, {:.4g} x {:.4g} x {:.4g}, {}",
+                                mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z,
+                                isClosed(welded.mesh) ? "closed" : "not closed");
 }
 
-std::string checkScene(const Level& level) {
+void checkScene(const Level& level, Finding& finding) {
   // The mesh is not known, but its place is: the problems of mirror and eye show with that point alone.
   Box point;
   point.extend(level.original.placement.position);
   if (auto problem = findProblem(level, point)) throw Error(*problem);
-  return fmt::format("thesis scene, {} mirror", shapeName(level.optic.shape()));
+  finding.summary = fmt::format("thesis scene, {} mirror", shapeName(level.optic.shape()));
 }
 
-std::string checkLevel(const std::string& path, const Level& level, const CommonOptions& common) {
+void checkLevel(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common,
+                Finding& finding) {
   constexpr int matchSize = 256;
+  const Level& level = loaded.level;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
-  sayWarnings(common, shape.warnings);
-  const LevelResult finished = *finishLevel(level, placeOriginal(*shape.mesh, level), common.threads);
-  if (finished.problem) throw Error(*finished.problem);
-  const Sculpture& sculpture = *finished.sculpture.sculpture;
-  for (const std::string& warning : finished.warnings)
-    sayMessage(common, "warning: " + path + ": " + warning);
+  finding.warn(shape.warnings);
+  const PlacedOriginal original = placeOriginal(*shape.mesh, level);
+  const LevelResult finished = *finishLevel(level, original, common.threads);
+  FileRemarks faults(path);
+  checkLesson(loaded, original.mesh->positions.size(), faults);
+  if (finished.problem) faults.addFault(*finished.problem, {}, "");
+  faults.throwFaults();
+  for (const std::string& warning : finished.warnings) finding.warn({path + ": " + warning});
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
-  if (const auto problem = findMatchProblem(report)) sayMessage(common, "warning: " + path + ": " + *problem);
-  return fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
-                     shapeName(level.optic.shape()), surfaceName(level.optic), sculpture.originalStatus[0],
-                     shape.mesh->positions.size(), matchGradeName(gradeOf(report)));
+  if (const auto problem = findMatchProblem(report)) finding.warn({path + ": " + *problem});
+  finding.summary = fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
+                                shapeName(level.optic.shape()), surfaceName(level.optic),
+                                finished.sculpture.sculpture->originalStatus[0],
+                                original.mesh->positions.size(), matchGradeName(gradeOf(report)));
 }
 
-std::string checkLoaded(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common) {
-  sayWarnings(common, loaded.warnings);
+void checkLoaded(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common,
+                 Finding& finding) {
+  finding.warn(loaded.warnings);
   try {
-    return loaded.isThesisScene ? checkScene(loaded.level) : checkLevel(path, loaded.level, common);
+    if (loaded.isThesisScene) {
+      checkScene(loaded.level, finding);
+    } else {
+      checkLevel(path, loaded, common, finding);
+    }
   } catch (const Error& error) {
-    if (!error.file.empty()) throw;
-    throw Error(error.message, path);
+    if (error.file.empty()) throw Error(error.message, path);
+    // A mesh that is not there is told by its path in the level alone.
+    const JsonValue* named = error.where.empty() ? nullptr : findByPath(loaded.document, error.where);
+    if (!named) throw;
+    throw Error(error.message, error.file, whereText(named->place, error.where));
   }
 }
 
@@ -66,32 +95,65 @@ bool looksLikeJson(std::string_view bytes) {
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
-std::string checkStandardInput(const CommonOptions& common) {
+void checkStandardInput(const CommonOptions& common, Finding& finding) {
   const MeshLimits limits = common.meshLimits();
   const FileBytes bytes = readStandardInput(limits.maxBytes, MeshLimits::bytesHelp);
   const std::string name = standardInputName;
-  if (looksLikeJson(bytes.view())) return checkLoaded(name, parseLevel(bytes.view(), name), common);
-  return checkMesh(readMesh(bytes.view(), name, limits), name, common);
+  if (looksLikeJson(bytes.view())) {
+    checkLoaded(name, parseLevel(bytes.view(), name), common, finding);
+  } else {
+    checkMesh(readMesh(bytes.view(), name, limits), name, finding);
+  }
 }
 
-std::string checkFile(const std::string& file, const CommonOptions& common) {
-  if (isStandardInput(file)) return checkStandardInput(common);
+void checkFile(const std::string& file, const CommonOptions& common, Finding& finding) {
+  if (isStandardInput(file)) return checkStandardInput(common, finding);
   checkInput(file);
-  if (isModelFile(file)) return checkMesh(loadMesh(file, common.meshLimits()), file, common);
+  if (isModelFile(file)) return checkMesh(loadMesh(file, common.meshLimits()), file, finding);
   const std::string path = findLevel(file).string();
-  return checkLoaded(path, loadLevel(path), common);
+  checkLoaded(path, loadLevel(path), common, finding);
+}
+
+JsonValue faultsJson(const Error& error) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  const auto add = [&](const Error& fault) {
+    list.items.push_back(JsonObject().add("where", fault.where).add("message", fault.message).value());
+  };
+  for (const Error& fault : error.faults) add(fault);
+  if (error.faults.empty()) add(error);
+  return list;
+}
+
+// Tells of one file, or adds the same to the JSON. False when it has faults.
+bool checkOne(const std::string& file, const CommonOptions& common, JsonValue& json) {
+  Finding finding;
+  std::optional<Error> fault;
+  try {
+    checkFile(file, common, finding);
+  } catch (const Error& error) {
+    fault = error;
+  }
+  JsonObject result;
+  result.add("file", file).add("warnings", textList(finding.warnings));
+  if (fault) result.add("faults", faultsJson(*fault));
+  if (!fault) result.add("summary", finding.summary);
+  json.items.push_back(result.value());
+  if (!common.json) {
+    flushResults();  // in order with what goes to stderr
+    sayWarnings(common, finding.warnings);
+    if (fault) printError(*fault);
+    if (!fault) printLine(stdout, file + ": " + finding.summary);
+  }
+  return !fault;
 }
 
 void check(const std::vector<std::string>& files, const CommonOptions& common) {
+  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
   std::size_t bad = 0;
-  for (const std::string& file : files) {
-    flushResults();  // in order with what goes to stderr
-    try {
-      printLine(stdout, file + ": " + checkFile(file, common));
-    } catch (const Error& error) {
-      printLine(stderr, error.what());
-      ++bad;
-    }
+  for (const std::string& file : files) bad += !checkOne(file, common, list);
+  if (common.json) {
+    printJson(JsonObject().add("files", std::move(list)).add("withFaults", bad).value());
+    flushResults();
   }
   if (bad > 0) throw Error(fmt::format("{} of {} files have faults", bad, files.size()));
 }
@@ -103,6 +165,7 @@ void addCheckCommand(CLI::App& app, CommonOptions& common) {
       app.add_subcommand("check", "Tell what is wrong with levels, thesis scenes and meshes, and where");
   const auto files = std::make_shared<std::vector<std::string>>();
   command->add_option("FILE", *files, "Levels, thesis scenes or meshes; - for standard input")->required();
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([files, &common] { check(*files, common); });
 }

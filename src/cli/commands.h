@@ -12,5 +12,6 @@ void addRenderCommand(CLI::App& app, CommonOptions& common);
 void addExportCommand(CLI::App& app, CommonOptions& common);
 void addCheckCommand(CLI::App& app, CommonOptions& common);
 void addLevelsCommand(CLI::App& app, CommonOptions& common);
+void addSchemaCommand(CLI::App& app, CommonOptions& common);
 
 }  // namespace anamorph

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -11,24 +13,43 @@
 
 #include "base/error.h"
 #include "base/system_call.h"
+#include "base/text.h"
 #include "cli/print.h"
+#include "level/languages.h"
 
 namespace anamorph {
 namespace {
 
-// "WxH" to two numbers.
-std::pair<int, int> parseSize(const std::string& text) {
+constexpr std::array pictureNames{"reflection", "original", "difference"};  // in the order of PictureKind
+
+// A whole number that is all of the text, and of the range.
+std::optional<int> parseSide(std::string_view text, const Range& sides) {
+  int side = 0;
   const char* end = text.data() + text.size();
-  int width = 0, height = 0;
-  const auto first = std::from_chars(text.data(), end, width);
-  const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-  const auto second = cross ? std::from_chars(first.ptr + 1, end, height) : first;
-  if (!cross || second.ec != std::errc() || second.ptr != end || !limits::pictureSide.holds(width) ||
-      !limits::pictureSide.holds(height)) {
-    throw CLI::ValidationError("--size", fmt::format("expected WIDTHxHEIGHT with sides from {} to {}, got {}",
-                                                     limits::pictureSide.min, limits::pictureSide.max, text));
+  const auto read = std::from_chars(text.data(), end, side);
+  const bool whole = read.ec == std::errc() && read.ptr == end;
+  return whole && sides.holds(side) ? std::optional(side) : std::nullopt;
+}
+
+// "N" to one number, "WxH" to two.
+std::pair<int, std::optional<int>> parseSize(const std::string& text, const Range& sides) {
+  const std::string_view all = text;
+  const std::size_t cross = all.find('x');
+  const std::optional<int> width = parseSide(all.substr(0, cross), sides);
+  std::optional<int> height;
+  if (cross != std::string::npos) height = parseSide(all.substr(cross + 1), sides);
+  if (!width || (cross != std::string::npos && !height)) {
+    throw CLI::ValidationError(
+        "--size", fmt::format("expected N or WIDTHxHEIGHT with sides from {:.0f} to {:.0f}, got {}",
+                              sides.min, sides.max, text));
   }
-  return {width, height};
+  return {*width, height};
+}
+
+std::string installedLanguages() {
+  std::vector<std::string> codes;
+  for (const LanguageChoice& language : listLanguages()) codes.push_back(language.code);
+  return alternatives(codes);
 }
 
 }  // namespace
@@ -63,10 +84,51 @@ CLI::Validator numberIn(const Range& range) {
       ends);
 }
 
-void addSizeOption(CLI::App& command, std::pair<int, int>& size) {
-  command.add_option_function<std::string>(
-      "--size", [&size](const std::string& text) { size = parseSize(text); },
-      fmt::format("WIDTHxHEIGHT in pixels (default {}x{})", size.first, size.second));
+CLI::Option* addSizeOption(CLI::App& command, std::pair<int, int>& size, const Range& sides) {
+  const auto take = [&size](int width, std::optional<int> height) { size = {width, height.value_or(width)}; };
+  return addSizeOption(
+      command, take, sides,
+      fmt::format("N (a square) or WIDTHxHEIGHT in pixels (default {}x{})", size.first, size.second));
+}
+
+CLI::Option* addSizeOption(CLI::App& command, std::function<void(int, std::optional<int>)> take,
+                           const Range& sides, const std::string& help) {
+  return command.add_option_function<std::string>(
+      "--size",
+      [take = std::move(take), sides](const std::string& text) {
+        const auto [width, height] = parseSize(text, sides);
+        take(width, height);
+      },
+      help);
+}
+
+void addJsonOption(CLI::App& command, CommonOptions& options) {
+  command.add_flag("--json", options.json, "Print one JSON object on stdout");
+}
+
+void addPictureOption(CLI::App& command, PictureKind& kind, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          "--picture,--view",
+          [&kind](const std::string& name) {
+            const auto found = std::find(pictureNames.begin(), pictureNames.end(), name);
+            kind = static_cast<PictureKind>(found - pictureNames.begin());
+          },
+          help + ": reflection (default), original or difference; --view is its old name")
+      ->check(CLI::IsMember(std::vector<std::string>(pictureNames.begin(), pictureNames.end())));
+}
+
+const char* pictureName(PictureKind kind) {
+  return pictureNames[static_cast<std::size_t>(kind)];
+}
+
+void addLanguageOption(CLI::App& command, std::string& code, const std::string& help) {
+  command.add_option("--language", code, help)->check([](const std::string& wanted) {
+    const std::vector<LanguageChoice> all = listLanguages();
+    const bool known = std::any_of(all.begin(), all.end(),
+                                   [&](const LanguageChoice& language) { return language.code == wanted; });
+    return known ? std::string() : "expected " + installedLanguages() + ", got " + wanted;
+  });
 }
 
 void sayMessage(const CommonOptions& options, const std::string& text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "base/progress.h"
 #include "geometry/mesh_files.h"
 #include "level/limits.h"
+#include "pipeline/picture.h"
 
 namespace anamorph {
 
@@ -30,8 +32,23 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 /// Accepts finite numbers of the range and says so otherwise. (CLI11's own Range lets nan pass.)
 CLI::Validator numberIn(const Range& range);
 
-/// --size WIDTHxHEIGHT, in pixels; `size` has the default and lives as long as the command.
-void addSizeOption(CLI::App& command, std::pair<int, int>& size);
+/// --size N, which is a square, or WIDTHxHEIGHT, in pixels, with sides of the range; `size` has the default and lives as
+/// long as the command.
+CLI::Option* addSizeOption(CLI::App& command, std::pair<int, int>& size,
+                           const Range& sides = limits::pictureSide);
+/// --size N or WIDTHxHEIGHT where a number alone means something else: `take` gets no height then.
+CLI::Option* addSizeOption(CLI::App& command, std::function<void(int, std::optional<int>)> take,
+                           const Range& sides, const std::string& help);
+
+/// --json.
+void addJsonOption(CLI::App& command, CommonOptions& options);
+
+/// --picture, once --view, which still works: reflection, original or difference. `kind` lives as long as the command.
+void addPictureOption(CLI::App& command, PictureKind& kind, const std::string& help);
+const char* pictureName(PictureKind kind);
+
+/// --language, one of those that are installed; `code` lives as long as the command.
+void addLanguageOption(CLI::App& command, std::string& code, const std::string& help);
 
 /// One line on stderr, unless --quiet.
 void sayMessage(const CommonOptions& options, const std::string& text);

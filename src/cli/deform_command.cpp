@@ -97,7 +97,7 @@ void addDeformCommand(CLI::App& app, CommonOptions& common) {
       ->check(numberIn(limits::imageSize));
   command->add_option("--mm-per-unit", options->millimetresPerUnit, "Millimetres per scene unit in the file")
       ->check(numberIn(limits::millimetresPerUnit.level));
-  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { deform(*options, common); });
 }

@@ -16,6 +16,7 @@
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
 #include "exports/export_level.h"
+#include "level/languages.h"
 
 namespace anamorph {
 namespace {
@@ -32,8 +33,10 @@ struct ExportOptions {
   std::string page = "A4";
   std::string scale = "fit";
   std::string rays;  // empty: .obj is the sculpture
-  std::string picture = "reflection";
-  int size = 512;
+  PictureKind picture = PictureKind::reflection;
+  int size = 512;  // of the longer side
+  std::optional<std::pair<int, int>> exactSize;
+  std::string language = "en";
 };
 
 // A number that is the whole of the text and in the range.
@@ -101,9 +104,6 @@ std::string allEndings() {
 ExportRequest makeRequest(const ExportOptions& options, const Output& output) {
   static const std::map<std::string, Paper> papers{
       {"A4", Paper::a4}, {"A3", Paper::a3}, {"letter", Paper::letter}};
-  static const std::map<std::string, PictureKind> pictures{{"reflection", PictureKind::reflection},
-                                                           {"original", PictureKind::original},
-                                                           {"difference", PictureKind::difference}};
   ExportRequest request;
   const auto kind = findExportKind(output.path());
   if (!kind) {
@@ -115,8 +115,9 @@ ExportRequest makeRequest(const ExportOptions& options, const Output& output) {
   if (options.basePlate) request.basePlate = BasePlateSettings{*options.basePlate, options.plateMargin};
   request.paper = papers.at(options.page);
   request.sheetScale = parseScale(options.scale);
-  request.picture = pictures.at(options.picture);
+  request.picture = options.picture;
   request.size = options.size;
+  request.exactSize = options.exactSize;
   if (!options.rays.empty()) {
     request.vertexRays = parseRays(options.rays);
     if (hasEnding(formatOf(ExportKind::rays), output.path())) request.kind = ExportKind::rays;
@@ -196,6 +197,7 @@ std::string checkText(const PrintCheck& check, std::size_t notMapped) {
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   std::vector<Output> outputs = makeOutputs(options.outputs, options.format);
   const std::vector<ExportRequest> requests = makeRequests(options, outputs);
+  chooseLanguage(options.language);
   const bool piped = takesStandardOutput(outputs);
   if (piped && common.json) throw UsageError(jsonInTheWay);
   const LevelResult finished = finishInput(loadInput(options.input, common, outputs), common);
@@ -272,13 +274,17 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
   command->add_option(
       "--rays", options->rays,
       "Write rays to the .obj file instead of the sculpture: vertices:N of N vertices, or pixels");
-  command->add_option("--picture", options->picture, "For .png: reflection (default), original or difference")
-      ->check(CLI::IsMember({"reflection", "original", "difference"}));
-  command
-      ->add_option("--size", options->size,
-                   "Longer side of picture and match report's pictures in pixels (default 512)")
-      ->check(numberIn(limits::exportedSize.level));
-  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addPictureOption(*command, options->picture, "What a .png shows");
+  const auto takeSize = [options = options.get()](int width, std::optional<int> height) {
+    if (height) options->exactSize = {width, *height};
+    options->size = width;
+  };
+  addSizeOption(*command, takeSize, limits::exportedSize.level,
+                "Of picture and match report's pictures in pixels: N, the longer side (default 512), or "
+                "WIDTHxHEIGHT");
+  addLanguageOption(*command, options->language,
+                    "Of viewing sheet and match report: en, nl, ... (default en)");
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { exportFiles(*options, common); });
 }

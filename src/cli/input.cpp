@@ -115,6 +115,21 @@ bool isStandardInput(const std::string& name) {
   return name == "-";
 }
 
+std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name) {
+  if (isStandardInput(name)) {
+    return {standardInputName, parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName)};
+  }
+  const std::string path = findLevel(name).string();
+  return {path, loadLevel(path)};
+}
+
+void checkInputs(const std::string& level, const std::string& model) {
+  if (isStandardInput(level) && isStandardInput(model)) {
+    throw UsageError("-: expected one file from standard input, got two");
+  }
+  for (const std::string& name : {level, model}) checkInput(name);
+}
+
 void checkInput(const std::string& name) {
   std::error_code ignored;
   if (!std::filesystem::is_fifo(name, ignored)) return;
@@ -139,15 +154,10 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
                      "anamorph match 2-cylinder " +
                      options.file);
   }
-  const bool piped = isStandardInput(options.file);
-  if (piped && isStandardInput(options.model))
-    throw UsageError("-: expected one file from standard input, got two");
-  for (const std::string& name : {options.file, options.model}) checkInput(name);
-  const std::string path = piped ? standardInputName : findLevel(options.file).string();
-  LoadedLevel loaded =
-      piped ? parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName) : loadLevel(path);
-  checkOutputs(filesRead(piped ? options.file : path, loaded.level, options.model), outputs,
-               common.noClobber);
+  checkInputs(options.file, options.model);
+  auto [path, loaded] = readLevelInput(options.file);
+  const std::string& read = isStandardInput(options.file) ? options.file : path;
+  checkOutputs(filesRead(read, loaded.level, options.model), outputs, common.noClobber);
   sayWarnings(common, loaded.warnings);
   Input input{path, std::move(loaded.level)};
   if (loaded.isThesisScene && options.model.empty()) {

@@ -7,11 +7,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/common_options.h"
 #include "cli/output.h"
-#include "level/level.h"
+#include "level/level_json.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 
@@ -57,6 +58,11 @@ Input loadInput(const InputOptions& options, const CommonOptions& common,
 
 /// What is named by - is standard input.
 bool isStandardInput(const std::string& name);
+/// The level or scene of that name: a file, an installed one, or standard input, and what the file is called. Throws
+/// Error.
+std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name);
+/// Throws UsageError when both are standard input, Error for pipes.
+void checkInputs(const std::string& level, const std::string& model);
 /// Throws Error for a pipe, such as <(...) makes: those are read as standard input.
 void checkInput(const std::string& name);
 

@@ -1,5 +1,7 @@
 // anamorph match: how well the reflection agrees with the original.
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "cli/commands.h"
@@ -12,7 +14,7 @@ namespace {
 
 struct MatchOptions {
   InputOptions input;
-  int size = 512;
+  std::pair<int, int> size{512, 512};
 };
 
 void printReport(const MatchReport& report, const StatusCounts& counts) {
@@ -36,9 +38,10 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
 
 void match(const MatchOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common);
-  input.level.sculpture.imageSize = options.size;
+  const auto [width, height] = options.size;
+  input.level.sculpture.imageSize = height;
   const LevelResult finished = finishInput(input, common);
-  const MatchReport report = matchInput(finished, options.size, options.size, common).report;
+  const MatchReport report = matchInput(finished, width, height, common).report;
   const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
   if (common.json) {
     printJson(matchJson(report, counts));
@@ -54,10 +57,8 @@ void addMatchCommand(CLI::App& app, CommonOptions& common) {
       app.add_subcommand("match", "Compare what the mirror shows with the original, in figures");
   const auto options = std::make_shared<MatchOptions>();
   addInputOptions(*command, options->input);
-  command
-      ->add_option("--size", options->size, "Width and height of the compared image in pixels (default 512)")
-      ->check(numberIn(limits::renderedSize.level));
-  command->add_flag("--json", common.json, "Print one JSON object on stdout");
+  addSizeOption(*command, options->size, limits::renderedSize.level);
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { match(*options, common); });
 }

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -14,6 +15,7 @@
 #include "base/same_file.h"
 #include "base/system_call.h"
 #include "cli/print.h"
+#include "cli/report.h"
 #include "cli/usage_error.h"
 #include "exports/export_formats.h"
 
@@ -81,8 +83,8 @@ Output::Output(std::string name, const std::string& format)
   if (!stream) return;
   const std::string ending = format.empty() ? lowerEnding(name_) : "." + format;
   if (ending.empty()) throw UsageError(name_ + ": expected --format, which says what is to be written there");
-  folder_ = std::make_unique<TemporaryFolder>("output" + ending);
-  path_ = folder_->file();
+  folder_ = std::make_unique<TemporaryFolder>();
+  path_ = folder_->file("output" + ending);
 }
 
 bool Output::isStandardOutput() const {
@@ -113,11 +115,24 @@ std::vector<Output> makeOutputs(const std::vector<std::string>& names, const std
   return outputs;
 }
 
-Output pictureOutput(const std::string& name) {
+Output pictureOutput(const std::string& name, const CommonOptions& common) {
   Output output(name, "png");
   const ExportFormat& picture = formatOf(ExportKind::picture);
   if (!hasEnding(picture, output.path())) throw UsageError(wrongEnding(name, picture.endings));
+  if (output.isStandardOutput() && common.json) throw UsageError(jsonInTheWay);
   return output;
+}
+
+void sayPicture(const CommonOptions& common, const Output& output, int width, int height,
+                const std::string& what) {
+  if (!common.json)
+    return sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), width, height));
+  printJson(JsonObject()
+                .add("path", output.name())
+                .add("picture", what)
+                .add("width", static_cast<std::size_t>(width))
+                .add("height", static_cast<std::size_t>(height))
+                .value());
 }
 
 void checkOutputs(const std::vector<fs::path>& inputs, std::span<const Output> outputs, bool noClobber) {

@@ -48,8 +48,13 @@ class Output {
 /// The outputs of one command. Throws UsageError, also when `format` is given and no output needs it.
 std::vector<Output> makeOutputs(const std::vector<std::string>& names, const std::string& format);
 
-/// An output for a picture. Throws UsageError when its name does not end in .png.
-Output pictureOutput(const std::string& name);
+/// An output for a picture. Throws UsageError when its name does not end in .png, and when standard output is to have
+/// the picture and --json.
+Output pictureOutput(const std::string& name, const CommonOptions& common);
+
+/// Says that a picture has been written: `what` it shows is for --json only.
+void sayPicture(const CommonOptions& common, const Output& output, int width, int height,
+                const std::string& what);
 
 /// Why --json cannot go with an output to standard output.
 inline constexpr const char* jsonInTheWay = "--json: standard output is taken by -o -";

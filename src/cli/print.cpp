@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "base/error.h"
 #include "base/system_call.h"
 #include "base/text.h"
 
@@ -10,6 +9,10 @@ namespace anamorph {
 
 void printLine(std::FILE* to, std::string_view text) {
   printText(to, printable(text) + '\n');
+}
+
+void printError(const Error& error) {
+  for (const std::string& line : linesOf(error)) printLine(stderr, line);
 }
 
 void printText(std::FILE* to, std::string_view text) {

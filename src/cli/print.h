@@ -6,10 +6,15 @@
 #include <cstdio>
 #include <string_view>
 
+#include "base/error.h"
+
 namespace anamorph {
 
 /// One line, printable() of the text. Throws Error when results cannot be written.
 void printLine(std::FILE* to, std::string_view text);
+
+/// All of an Error's faults on stderr, a line each.
+void printError(const Error& error);
 
 /// As it is: for what the program has made itself, or what other programs read (JSON). Throws likewise.
 void printText(std::FILE* to, std::string_view text);

@@ -1,7 +1,6 @@
 // anamorph render: a ray-traced picture from the RT camera.
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,16 +17,13 @@ struct RenderOptions {
   InputOptions input;
   std::string output;
   std::pair<int, int> size{512, 512};
-  std::string view = "reflection";
+  PictureKind picture = PictureKind::reflection;
   int samples = 0;  // 0: as in the level
   double maxMegapixels = 64;
 };
 
 void render(const RenderOptions& options, const CommonOptions& common) {
-  static const std::map<std::string, PictureKind> kinds{{"reflection", PictureKind::reflection},
-                                                        {"original", PictureKind::original},
-                                                        {"difference", PictureKind::difference}};
-  Output output = pictureOutput(options.output);
+  Output output = pictureOutput(options.output, common);
   const auto [width, height] = options.size;
   const double megapixels = 1e-6 * width * height;
   if (megapixels > options.maxMegapixels) {
@@ -38,7 +34,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
   Input input = loadInput(options.input, common, {&output, 1});
   input.level.sculpture.imageSize = std::max(input.level.sculpture.imageSize, height);
   if (options.samples > 0) input.level.tracing.samplesPerAxis = options.samples;
-  const PictureKind kind = kinds.at(options.view);
+  const PictureKind kind = options.picture;
   LevelResult finished;
   finished.level = input.level;
   Match match;
@@ -52,7 +48,7 @@ void render(const RenderOptions& options, const CommonOptions& common) {
       drawInput(finished, kind, makeImageRequest(input.level, width, height, common.threads), &match, common);
   sayWarnings(common, savePng(output.path(), image));
   output.deliver();
-  sayMessage(common, fmt::format("{}: {} x {} pixels", output.name(), width, height));
+  sayPicture(common, output, width, height, pictureName(kind));
 }
 
 }  // namespace
@@ -65,8 +61,7 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
       ->required();
   addNoClobber(*command, common);
   addSizeOption(*command, options->size);
-  command->add_option("--view", options->view, "reflection, original or difference")
-      ->check(CLI::IsMember({"reflection", "original", "difference"}));
+  addPictureOption(*command, options->picture, "What is shown");
   command
       ->add_option("--samples", options->samples,
                    "Samples along each side of a pixel, 1 to 4 (default: the level's)")
@@ -75,6 +70,7 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("--max-megapixels", options->maxMegapixels,
                    "Largest picture to make, in 10^6 pixels (default 64)")
       ->check(numberIn(limits::megapixels));
+  addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { render(*options, common); });
 }

@@ -91,6 +91,7 @@ int runCommand(int argc, char** argv, const MoreCommands& more) {
   addRenderCommand(app, common);
   addCheckCommand(app, common);
   addLevelsCommand(app, common);
+  addSchemaCommand(app, common);
   addExportCommand(app, common);
   for (const auto add : more.add) add(app, common);
   try {
@@ -102,7 +103,7 @@ int runCommand(int argc, char** argv, const MoreCommands& more) {
     printLine(stderr, error.what());
     return wrongUsage;
   } catch (const Error& error) {
-    printLine(stderr, error.what());
+    printError(error);
     return dataFault;
   } catch (const std::system_error& error) {
     const bool noThread = error.code() == std::errc::resource_unavailable_try_again;

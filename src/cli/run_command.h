@@ -1,4 +1,4 @@
-// The command line: `anamorph deform|match|render|check|levels|export`, and what the window adds. Results go to
+// The command line: `anamorph deform|match|render|check|levels|schema|export`, and what the window adds. Results go to
 // stdout, messages to stderr.
 #pragma once
 

@@ -13,7 +13,7 @@ std::size_t bytesOf(const std::string& text) {
 
 std::size_t bytesOf(const LevelText& text) {
   std::size_t bytes = sizeof text + bytesOf(text.title) + bytesOf(text.description) + bytesOf(text.lesson) +
-                      text.unknownKeys.capacity() * sizeof(UnknownKey);
+                      bytesOf(text.schema) + text.unknownKeys.capacity() * sizeof(UnknownKey);
   for (const UnknownKey& key : text.unknownKeys) {
     bytes += bytesOf(key.object) + bytesOf(key.key) + bytesOf(key.json);
   }

@@ -44,8 +44,8 @@ EditResult importMesh(const MeshImport& import, const Level& level, const Progre
     return old ? withAnotherMesh(level, file, mesh, room) : withOriginal(level, file, mesh, room);
   };
   const bool isAgain = old && old->path == import.name;
-  const ModelUp up = isAgain ? old->up : read.up.up;
-  if (isAgain || up == ModelUp::z) return {placed(up), withRemarks(message, read.warnings)};
+  const ModelUp up = import.up ? *import.up : isAgain ? old->up : read.up.up;
+  if (import.up || isAgain || up == ModelUp::z) return {placed(up), withRemarks(message, read.warnings)};
   message += ". " + upGuessText(read.up) + " " + tr("Ctrl+Z takes that back.");
   return {placed(up), withRemarks(message, read.warnings), placed(ModelUp::z)};
 }

@@ -14,8 +14,9 @@ struct MeshImport {
   std::filesystem::path file;
   std::string name;                 ///< of the file, as the level has it
   std::filesystem::path levelPath;  ///< empty: a level without a file
-  Box box;                ///< of the placed original that it replaces; empty where that is not known
-  bool keepSize = false;  ///< of a scene of the thesis, which says where its mesh is and how it stands
+  Box box;                      ///< of the placed original that it replaces; empty where that is not known
+  bool keepSize = false;        ///< of a scene of the thesis, which says where its mesh is and how it stands
+  std::optional<ModelUp> up{};  ///< nothing: a guess
 };
 
 /// The level with the mesh, in two steps where it was stood up by a guess: undoing takes back the guess first. In place

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exports/base_plate.h"
@@ -27,6 +28,8 @@ struct ExportRequest {
   std::optional<int> vertexRays = 200;         ///< rays: of so many vertices; nothing: the pixel grid's
   PictureKind picture = PictureKind::reflection;
   int size = 512;  ///< picture, match report: pixels of the longer side
+  std::optional<std::pair<int, int>>
+      exactSize;  ///< or width and height, whatever the pixel grid's proportions
 };
 
 /// What was written, for a message.

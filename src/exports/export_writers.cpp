@@ -49,6 +49,10 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   return warnings;
 }
 
+std::pair<int, int> sizeOf(const ExportRequest& request, const PixelGrid& grid) {
+  return request.exactSize ? *request.exactSize : pictureSize(grid, request.size);
+}
+
 }  // namespace
 
 std::optional<ExportSummary> writeSculpture(const LevelResult& shown, const ExportRequest& request,
@@ -107,7 +111,7 @@ std::optional<ExportSummary> writeRays(const LevelResult& finished, const Export
 
 std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const ExportRequest& request,
                                               int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.grid, request.size);
+  const auto [width, height] = sizeOf(request, finished.level.grid);
   std::shared_ptr<const Bvh> plate;
   if (request.basePlate)
     plate = plateInScene(makeArrangement(asMade(finished), request.millimetresPerUnit, request.basePlate));
@@ -133,7 +137,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,
                                           int threads, const Progress& progress) {
-  const auto [width, height] = pictureSize(finished.level.grid, request.size);
+  const auto [width, height] = sizeOf(request, finished.level.grid);
   Match match;
   const bool compares = request.picture == PictureKind::difference;
   if (compares) match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4));

@@ -142,6 +142,8 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
   }
   return JsonObject()
       .add("size", static_cast<std::size_t>(report.height))
+      .add("width", static_cast<std::size_t>(report.width))
+      .add("height", static_cast<std::size_t>(report.height))
       .add("originalPixels", report.originalPixels)
       .add("contourPx", report.contourPx)
       .add("silhouetteIou", report.silhouetteIou)

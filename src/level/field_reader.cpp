@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
+#include "base/spelling.h"
 #include "base/text.h"
 
 namespace anamorph {
 namespace {
 
 using Kind = JsonValue::Kind;
+
+constexpr std::size_t mostHints = 100;
 
 std::string inQuotes(const std::vector<std::string>& names) {
   std::vector<std::string> quoted;
@@ -28,7 +31,9 @@ std::string numbersFrom(Range range, bool whole) {
 
 FieldReader::FieldReader(const JsonValue& json, std::string path, Context& context)
     : json_(json), path_(std::move(path)), context_(context) {
-  if (json.kind != Kind::object) fail(path_, "an object", json);
+  if (json.kind == Kind::object) return;
+  fail(path_, "an object", json);
+  silent_ = true;
 }
 
 void FieldReader::need(std::initializer_list<const char*> keys) {
@@ -37,16 +42,15 @@ void FieldReader::need(std::initializer_list<const char*> keys) {
 
 void FieldReader::need(const std::vector<const char*>& keys) {
   for (const char* key : keys) {
-    if (find(key)) continue;
-    throw Error(fmt::format("expected the key {}, got an object without it", quoteJson(key)), context_.file,
-                path_);
+    if (silent_ || find(key) || isFaulty(key)) continue;
+    fault(fmt::format("expected the key {}, got an object without it", quoteJson(key)), json_, path_);
   }
 }
 
 void FieldReader::field(const char* key, bool& value) {
   const JsonValue* json = find(key);
   if (!json) return;
-  if (json->kind != Kind::boolean) fail(pathOf(key), "true or false", *json);
+  if (json->kind != Kind::boolean) return fail(pathOf(key), "true or false", *json);
   value = json->text == "true";
 }
 
@@ -57,24 +61,24 @@ void FieldReader::field(const char* key, std::string& value) {
 void FieldReader::textOrNone(const char* key, std::string& value, std::size_t most) {
   const JsonValue* json = find(key);
   if (!json) return;
-  if (json->kind != Kind::string) fail(pathOf(key), "a string", *json);
-  checkBytes(json->text, key, most);
-  value = json->text;
+  if (json->kind != Kind::string) return fail(pathOf(key), "a string", *json);
+  if (areFew(json->text, *json, key, most)) value = json->text;
 }
 
 void FieldReader::field(const char* key, double& value, Range range) {
-  if (const JsonValue* json = find(key)) value = readNumber(*json, pathOf(key), range);
+  if (const JsonValue* json = find(key)) value = readNumber(*json, pathOf(key), range).value_or(value);
 }
 
 void FieldReader::field(const char* key, int& value, Range range) {
   if (const JsonValue* json = find(key))
-    value = static_cast<int>(readNumber(*json, pathOf(key), range, true));
+    value = static_cast<int>(readNumber(*json, pathOf(key), range, true).value_or(value));
 }
 
 void FieldReader::field(const char* key, std::size_t& value, Range range) {
-  if (const JsonValue* json = find(key)) {
-    value = static_cast<std::size_t>(readNumber(*json, pathOf(key), range, true));
-  }
+  const JsonValue* json = find(key);
+  if (!json) return;
+  if (const auto number = readNumber(*json, pathOf(key), range, true))
+    value = static_cast<std::size_t>(*number);
 }
 
 void FieldReader::field(const char* key, Vector& value, Range range) {
@@ -85,7 +89,7 @@ void FieldReader::field(const char* key, std::span<Point> values, Range range) {
   const JsonValue* json = find(key);
   if (!json) return;
   if (json->kind != Kind::array || json->items.size() != values.size()) {
-    fail(pathOf(key), fmt::format("an array of {} points", values.size()), *json);
+    return fail(pathOf(key), fmt::format("an array of {} points", values.size()), *json);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     readVector(json->items[i], joinJsonPath(pathOf(key), std::to_string(i)), values[i], range);
@@ -95,16 +99,17 @@ void FieldReader::field(const char* key, std::span<Point> values, Range range) {
 void FieldReader::pair(const char* key, int& first, int& second, Range range) {
   const JsonValue* json = find(key);
   if (!json) return;
-  if (json->kind != Kind::array || json->items.size() != 2) fail(pathOf(key), "an array of 2 numbers", *json);
-  first = static_cast<int>(readNumber(json->items[0], pathOf(key) + "/0", range, true));
-  second = static_cast<int>(readNumber(json->items[1], pathOf(key) + "/1", range, true));
+  if (json->kind != Kind::array || json->items.size() != 2)
+    return fail(pathOf(key), "an array of 2 numbers", *json);
+  first = static_cast<int>(readNumber(json->items[0], pathOf(key) + "/0", range, true).value_or(first));
+  second = static_cast<int>(readNumber(json->items[1], pathOf(key) + "/1", range, true).value_or(second));
 }
 
 void FieldReader::factors(const char* key, Vector& value, Range range) {
   const JsonValue* json = find(key);
   if (!json) return;
   if (json->kind == Kind::number) {
-    value = Vector(readNumber(*json, pathOf(key), range));
+    if (const auto factor = readNumber(*json, pathOf(key), range)) value = Vector(*factor);
   } else if (json->kind == Kind::array) {
     readVector(*json, pathOf(key), value, range);
   } else {
@@ -117,77 +122,129 @@ void FieldReader::numberOrOff(const char* key, double& value, Range range) {
   if (!json) return;
   const bool isZero = json->kind == Kind::number && json->number == 0;
   const bool isOff = json->kind == Kind::string && json->text == "off";
-  const bool inRange = json->kind == Kind::number && json->number >= range.min && json->number <= range.max;
-  if (!isZero && !isOff && !inRange) fail(pathOf(key), "\"off\" or " + numbersFrom(range, false), *json);
+  const bool inRange = json->kind == Kind::number && range.holds(json->number);
+  if (!isZero && !isOff && !inRange)
+    return fail(pathOf(key), "\"off\" or " + numbersFrom(range, false), *json);
   value = inRange ? json->number : 0;
+}
+
+void FieldReader::oneOf(const char* key, std::string& value, const std::vector<std::string>& names) {
+  const JsonValue* json = find(key);
+  if (!json) return;
+  const bool known =
+      json->kind == Kind::string && std::find(names.begin(), names.end(), json->text) != names.end();
+  if (!known) return fail(pathOf(key), inQuotes(names), *json, didYouMean(json->text, names));
+  value = json->text;
 }
 
 void FieldReader::opaque(const char* key, std::string& json, std::size_t most) {
   const JsonValue* value = find(key);
   if (!value) return;
-  json = compactJson(*value);
-  checkBytes(json, key, most);
+  std::string text = compactJson(*value);
+  if (areFew(text, *value, key, most)) json = std::move(text);
 }
 
 void FieldReader::expect(bool holds, const char* key, const std::string& what) {
-  if (holds) return;
+  if (holds || silent_) return;
+  if (isFaulty(key)) return;
   const JsonValue* json = find(key);
   fail(pathOf(key), what, json ? *json : JsonValue{});
 }
 
 void FieldReader::finish() {
+  if (silent_) return;
+  const std::vector<std::string> absent = absentKeys();
   for (std::size_t i = 0; i < json_.keys.size(); ++i) {
     const std::string& key = json_.keys[i];
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    context_.unknownKeys.push_back({path_, key, compactJson(json_.items[i])});
+    const JsonValue& value = json_.items[i];
+    const std::string path = pathOf(key);
+    // Of a heap of them none was meant to be something else, and looking would take its time.
+    const std::string hint = context_.remarks.count() < mostHints ? didYouMean(key, absent) : "";
+    if (context_.ifUnknown == UnknownKeys::refused) {
+      context_.remarks.addFault("expected a key of a lesson, got " + quoteJson(key) + hint, value.keyPlace,
+                                path);
+      continue;
+    }
+    const bool kept = context_.ifUnknown == UnknownKeys::kept;
+    context_.remarks.addWarning((kept ? "unknown key, kept but not used" : "unknown key, ignored") + hint,
+                                value.keyPlace, path);
+    context_.unknownKeys.push_back({path_, key, compactJson(value)});
   }
 }
 
 const JsonValue* FieldReader::find(std::string_view key) {
   asked_.push_back(key);
-  return findMember(json_, key);
+  return silent_ ? nullptr : findMember(json_, key);
 }
 
-void FieldReader::fail(const std::string& path, const std::string& expected, const JsonValue& got) const {
-  throw Error("expected " + expected + ", got " + describeJson(got), context_.file, path);
+bool FieldReader::isFaulty(std::string_view key) const {
+  return std::find(faulty_.begin(), faulty_.end(), key) != faulty_.end();
 }
 
-double FieldReader::readNumber(const JsonValue& json, const std::string& path, Range range,
-                               bool whole) const {
+std::vector<std::string> FieldReader::absentKeys() const {
+  std::vector<std::string> keys;
+  for (const std::string_view key : asked_) {
+    if (!findMember(json_, key)) keys.emplace_back(key);
+  }
+  return keys;
+}
+
+void FieldReader::fault(const std::string& message, const JsonValue& at, const std::string& path) {
+  faulty_.push_back(asked_.empty() ? "" : asked_.back());
+  context_.remarks.addFault(message, at.place, path);
+}
+
+void FieldReader::fail(const std::string& path, const std::string& expected, const JsonValue& got,
+                       const std::string& hint) {
+  fault("expected " + expected + ", got " + describeJson(got) + hint, got, path);
+}
+
+std::optional<double> FieldReader::readNumber(const JsonValue& json, const std::string& path, Range range,
+                                              bool whole) {
   const double value = json.number;
-  const bool isRight = json.kind == Kind::number && value >= range.min && value <= range.max &&
-                       (!whole || value == std::floor(value));
-  if (!isRight) fail(path, numbersFrom(range, whole), json);
-  return value;
+  const bool isRight =
+      json.kind == Kind::number && range.holds(value) && (!whole || value == std::floor(value));
+  if (isRight) return value;
+  fail(path, numbersFrom(range, whole), json);
+  return std::nullopt;
 }
 
-void FieldReader::readVector(const JsonValue& json, const std::string& path, Vector& value,
-                             Range range) const {
-  if (json.kind != Kind::array || json.items.size() != 3) fail(path, "an array of 3 numbers", json);
+void FieldReader::readVector(const JsonValue& json, const std::string& path, Vector& value, Range range) {
+  if (json.kind != Kind::array || json.items.size() != 3) return fail(path, "an array of 3 numbers", json);
   for (int i = 0; i < 3; ++i) {
-    value[i] =
-        readNumber(json.items[static_cast<std::size_t>(i)], joinJsonPath(path, std::to_string(i)), range);
+    const JsonValue& item = json.items[static_cast<std::size_t>(i)];
+    value[i] = readNumber(item, joinJsonPath(path, std::to_string(i)), range).value_or(value[i]);
   }
 }
 
-std::size_t FieldReader::readChoice(const char* key, const std::vector<std::string>& names) {
+std::optional<std::size_t> FieldReader::readChoice(const char* key, const std::vector<std::string>& names) {
   need({key});
-  const JsonValue& json = *find(key);
-  const auto name = std::find(names.begin(), names.end(), json.text);
-  if (json.kind != Kind::string || name == names.end()) fail(pathOf(key), inQuotes(names), json);
-  return static_cast<std::size_t>(name - names.begin());
+  const JsonValue* json = find(key);
+  const std::string text = json && json->kind == Kind::string ? json->text : "";
+  auto name = std::find(names.begin(), names.end(), text);
+  if (json && name == names.end()) {
+    fail(pathOf(key), inQuotes(names), *json, didYouMean(text, names));
+    name = std::find(names.begin(), names.end(), nearestWord(text, names));
+  }
+  silent_ |= name == names.end();
+  return name == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(name - names.begin()));
 }
 
-void FieldReader::checkBytes(const std::string& text, const char* key, std::size_t most) const {
-  if (text.size() <= most) return;
-  throw Error(fmt::format("expected at most {} bytes, got {}", most, text.size()), context_.file,
-              pathOf(key));
+bool FieldReader::areFew(const std::string& text, const JsonValue& json, const char* key, std::size_t most) {
+  if (text.size() <= most) return true;
+  fault(fmt::format("expected at most {} bytes, got {}", most, text.size()), json, pathOf(key));
+  return false;
 }
 
-void FieldReader::checkList(const JsonValue& json, const std::string& path, std::size_t most) const {
-  if (json.kind != Kind::array) fail(path, "an array", json);
-  if (json.items.size() <= most) return;
-  throw Error(fmt::format("expected at most {} items, got {}", most, json.items.size()), context_.file, path);
+bool FieldReader::isList(const JsonValue& json, const std::string& path, std::size_t most) {
+  if (json.kind != Kind::array) {
+    fail(path, "an array", json);
+    return false;
+  }
+  if (json.items.size() <= most) return true;
+  fault(fmt::format("expected at most {} items, got {}", most, json.items.size()), json, path);
+  return false;
 }
 
 }  // namespace anamorph

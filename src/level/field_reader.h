@@ -1,10 +1,10 @@
-// Reads fields out of a JSON object, strictly: a wrong type, a value out of its range and a missing key throw
-// Error with the JSON pointer, `/optic/shape/radius: expected a number from 1e-06 to 1e+06, got -4`. An
-// absent key that is not needed leaves the value as it is. Which fields there are is said by functions
-// fields(at, part), found by the type of the part, once for reading and for writing (field_writer.h).
+// Reads fields out of a JSON object, strictly: a wrong type, a value out of its range and a missing key are faults,
+// `line 7, column 31: /optic/shape/radius: expected a number from 1e-06 to 1e+06, got -4`. They are gathered, not thrown,
+// so that all of a file are told at once; what has one stays as it is, like an absent key that is not needed. Which
+// fields there are is said by functions fields(at, part), found by the type of the part, once for reading, for writing
+// (field_writer.h) and for the JSON Schema (field_schema.h).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <optional>
@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "level/file_remarks.h"
 #include "level/json.h"
 #include "level/level.h"
 #include "level/limits.h"
@@ -24,16 +25,23 @@ namespace anamorph {
 
 class FieldReader {
  public:
+  /// What becomes of keys that no field asks for: a warning, or a fault.
+  enum class UnknownKeys { kept, ignored, refused };
+
   /// Shared by the readers of one file.
   struct Context {
-    std::string file;
+    explicit Context(std::string file, UnknownKeys unknown = UnknownKeys::kept)
+        : remarks(std::move(file)), ifUnknown(unknown) {}
+
+    FileRemarks remarks;
+    UnknownKeys ifUnknown;
     std::vector<UnknownKey> unknownKeys;
   };
 
-  /// Throws Error when `json` is not an object.
+  /// It is a fault when `json` is no object: nothing more is said of it then.
   FieldReader(const JsonValue& json, std::string path, Context& context);
 
-  /// Throws Error when one of them is missing.
+  /// It is a fault when one of them is missing.
   void need(std::initializer_list<const char*> keys);
   void need(const std::vector<const char*>& keys);
 
@@ -56,19 +64,25 @@ class FieldReader {
   void numberOrOff(const char* key, double& value, Range range);
   /// A string of at most `most` bytes, empty where the file has none.
   void textOrNone(const char* key, std::string& value, std::size_t most);
-  /// Any JSON, as text on one line of at most `most` bytes.
-  void opaque(const char* key, std::string& json, std::size_t most);
+  /// A string that is one of `names`.
+  void oneOf(const char* key, std::string& value, const std::vector<std::string>& names);
+  /// An object that is kept as text on one line, of at most `most` bytes. What it says is read as a Part by others.
+  template <typename Part>
+  void textOf(const char* key, std::string& json, std::size_t most) {
+    opaque(key, json, most);
+  }
 
   /// A string that is one of `names`; it chooses the enumerator, or the alternative of the variant, with its
-  /// index. The key is needed.
+  /// index. The key is needed: a name that is near to one of them is taken for it after the complaint, otherwise
+  /// nothing more is said of this object.
   template <typename Choice, std::size_t count>
   void choice(const char* key, Choice& value, const std::array<const char*, count>& names) {
-    choose(value, readChoice(key, {names.begin(), names.end()}));
+    if (const auto index = readChoice(key, {names.begin(), names.end()})) choose(value, *index);
   }
 
   /// The same for a list of names that is not known beforehand.
   void choice(const char* key, std::size_t& index, const std::vector<const char*>& names) {
-    index = readChoice(key, {names.begin(), names.end()});
+    index = readChoice(key, {names.begin(), names.end()}).value_or(index);
   }
 
   /// An object whose fields are those of `part`.
@@ -88,29 +102,35 @@ class FieldReader {
   template <typename Part>
   void list(const char* key, std::vector<Part>& parts, std::size_t most) {
     const JsonValue* json = find(key);
-    if (!json) return;
-    checkList(*json, pathOf(key), most);
+    if (!json || !isList(*json, pathOf(key), most)) return;
     parts.assign(json->items.size(), Part{});
     for (std::size_t i = 0; i < parts.size(); ++i) {
       readObject(json->items[i], joinJsonPath(pathOf(key), std::to_string(i)), parts[i]);
     }
   }
 
-  /// For conditions beyond ranges: throws Error "expected `what`, got the value of `key`" when not `holds`.
+  /// For conditions beyond ranges: "expected `what`, got the value of `key`" when not `holds`. Nothing where `key` has
+  /// another fault.
   void expect(bool holds, const char* key, const std::string& what);
 
-  /// To be called after the last field: adds the keys that no field asked for to the context.
+  /// To be called after the last field: tells of the keys that no field asked for.
   void finish();
 
  private:
   const JsonValue* find(std::string_view key);
   std::string pathOf(std::string_view key) const { return joinJsonPath(path_, key); }
-  [[noreturn]] void fail(const std::string& path, const std::string& expected, const JsonValue& got) const;
-  double readNumber(const JsonValue& json, const std::string& path, Range range, bool whole = false) const;
-  void readVector(const JsonValue& json, const std::string& path, Vector& value, Range range) const;
-  std::size_t readChoice(const char* key, const std::vector<std::string>& names);
-  void checkBytes(const std::string& text, const char* key, std::size_t most) const;
-  void checkList(const JsonValue& json, const std::string& path, std::size_t most) const;
+  void fault(const std::string& message, const JsonValue& at, const std::string& path);
+  void fail(const std::string& path, const std::string& expected, const JsonValue& got,
+            const std::string& hint = {});
+  std::optional<double> readNumber(const JsonValue& json, const std::string& path, Range range,
+                                   bool whole = false);
+  void readVector(const JsonValue& json, const std::string& path, Vector& value, Range range);
+  std::optional<std::size_t> readChoice(const char* key, const std::vector<std::string>& names);
+  void opaque(const char* key, std::string& json, std::size_t most);
+  bool areFew(const std::string& text, const JsonValue& json, const char* key, std::size_t most);
+  bool isList(const JsonValue& json, const std::string& path, std::size_t most);
+  bool isFaulty(std::string_view key) const;
+  std::vector<std::string> absentKeys() const;
 
   template <typename Part>
   void readObject(const JsonValue& json, std::string path, Part& part) {
@@ -132,6 +152,8 @@ class FieldReader {
   std::string path_;
   Context& context_;
   std::vector<std::string_view> asked_;
+  std::vector<std::string_view> faulty_;  // of those
+  bool silent_ = false;                   // nothing more can be said of this object
 };
 
 }  // namespace anamorph

@@ -86,7 +86,7 @@ void FieldWriter::textOrNone(const char* key, const std::string& value, std::siz
   if (!value.empty()) field(key, value);
 }
 
-void FieldWriter::opaque(const char* key, const std::string& json, std::size_t) {
+void FieldWriter::opaque(const char* key, const std::string& json) {
   if (!json.empty()) add(key, parseJson(json, key));
 }
 

@@ -40,7 +40,10 @@ class FieldWriter {
   /// Nothing is written for an empty text.
   void textOrNone(const char* key, const std::string& value, std::size_t most);
   /// Nothing is written for an empty text. Throws Error when it is not JSON.
-  void opaque(const char* key, const std::string& json, std::size_t);
+  template <typename Part>
+  void textOf(const char* key, const std::string& json, std::size_t) {
+    opaque(key, json);
+  }
 
   template <typename Choice, std::size_t count>
   void choice(const char* key, const Choice& value, const std::array<const char*, count>& names) {
@@ -76,6 +79,7 @@ class FieldWriter {
 
  private:
   void add(const std::string& key, JsonValue value);
+  void opaque(const char* key, const std::string& json);
 
   template <typename Part>
   JsonValue writeObject(std::string path, Part& part) {

@@ -34,7 +34,7 @@ void checkUtf8(std::string_view text, const std::string& file) {
 // container; a container's items do not move while one of them is open.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  TreeBuilder(std::string_view text, const std::string& file) : text_(text), file_(file), places_(text) {}
 
   JsonValue takeRoot() { return std::move(root_); }
 
@@ -51,6 +51,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool start_object(std::size_t) override { return open(Kind::object); }
   bool start_array(std::size_t) override { return open(Kind::array); }
   bool key(std::string& name) override {
+    keyPlace_ = places_.next();
     open_.back()->keys.push_back(std::move(name));
     return true;
   }
@@ -59,6 +60,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return end_array();
   }
   bool end_array() override {
+    places_.next();
     open_.pop_back();
     return true;
   }
@@ -66,13 +68,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& error) override {
     if (error.id == 406) {
-      throw Error("expected a number below 1.8e308, got " + shortened(token, quotedWidth), file_, nextPath());
+      throw Error("expected a number below 1.8e308, got " + shortened(token, quotedWidth), file_,
+                  whereText(places_.next(), nextPath()));
     }
     // The library's text is "[id] parse error at line 1, column 2: syntax error while parsing ...".
     const std::string what = completed(error.what(), position);
     const std::size_t start = what.find("syntax error");
     throw Error(shortened(start == std::string::npos ? what : what.substr(start), 240), file_,
-                place(position));
+                whereText(placeOfByte(text_, std::max<std::size_t>(position, 1) - 1), ""));
   }
 
  private:
@@ -84,6 +87,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     newest_->kind = kind;
     newest_->text = std::move(text);
     newest_->number = number;
+    newest_->place = places_.next();
+    newest_->keyPlace = keyPlace_;
     return true;
   }
 
@@ -108,7 +113,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice == sorted.end()) return;
-    throw Error("expected each key once, got it twice", file_, joinJsonPath(openPath(), *twice));
+    const auto again = std::find(keys.rbegin(), keys.rend(), *twice);
+    const JsonValue& second = open_.back()->items[static_cast<std::size_t>(keys.rend() - again) - 1];
+    throw Error("expected each key once, got it twice", file_,
+                whereText(second.keyPlace, joinJsonPath(openPath(), *twice)));
   }
 
   // Of the innermost open container.
@@ -139,16 +147,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return cut == std::string::npos ? message : message.replace(cut, 1, rest.substr(0, length));
   }
 
-  // `position` counts the bytes read, the offending one included.
-  std::string place(std::size_t position) const {
-    const std::string_view before = text_.substr(0, std::max<std::size_t>(position, 1) - 1);
-    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    return fmt::format("line {}, column {}", line, before.size() - lineStart + 1);
-  }
-
   std::string_view text_;
   const std::string& file_;
+  JsonPlaces places_;
+  JsonPlace keyPlace_;
   JsonValue root_;
   JsonValue* newest_ = nullptr;
   std::vector<JsonValue*> open_;
@@ -253,6 +255,22 @@ const JsonValue* findMember(const JsonValue& object, std::string_view key) {
   const auto found = std::find(object.keys.begin(), object.keys.end(), key);
   return found == object.keys.end() ? nullptr
                                     : &object.items[static_cast<std::size_t>(found - object.keys.begin())];
+}
+
+const JsonValue* findByPath(const JsonValue& document, std::string_view path) {
+  const JsonValue* value = &document;
+  while (value && !path.empty()) {
+    const std::size_t end = std::min(path.find('/', 1), path.size());
+    const std::string_view step = path.substr(0, end);
+    const JsonValue* next = nullptr;
+    for (std::size_t i = 0; i < value->items.size() && !next; ++i) {
+      const bool isObject = value->kind == Kind::object;
+      if (joinJsonPath("", isObject ? value->keys[i] : std::to_string(i)) == step) next = &value->items[i];
+    }
+    value = next;
+    path.remove_prefix(end);
+  }
+  return value;
 }
 
 std::string joinJsonPath(const std::string& path, std::string_view key) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "level/json_places.h"
+
 namespace anamorph {
 
 /// Deeper documents are refused while they are read, so that no later recursion is deep.
@@ -23,6 +25,8 @@ struct JsonValue {
   double number = 0;              ///< finite
   std::vector<std::string> keys;  ///< of an object, in the order of the file, each once
   std::vector<JsonValue> items;   ///< of an array, or the values that belong to the keys
+  JsonPlace place{};              ///< where it begins
+  JsonPlace keyPlace{};           ///< of an object's item: where its key begins
 
   bool operator==(const JsonValue&) const = default;
 };
@@ -33,6 +37,9 @@ JsonValue parseJson(std::string_view text, const std::string& fileName);
 
 /// The value of an object's key; null when it has not got it, or is no object.
 const JsonValue* findMember(const JsonValue& object, std::string_view key);
+
+/// What a JSON pointer leads to; null when there is nothing.
+const JsonValue* findByPath(const JsonValue& document, std::string_view path);
 
 /// Indented by 2, a line for each item; values without objects inside stay on one line where they fit in 100
 /// columns.

@@ -8,8 +8,10 @@
 
 #include "base/error.h"
 #include "level/field_reader.h"
-#include "level/level_fields.h"
+#include "level/field_schema.h"
+#include "level/level.h"
 #include "level/limits.h"
+#include "optics/shape_table.h"
 
 namespace anamorph {
 namespace {
@@ -22,18 +24,6 @@ const Names mistakeNames{"direction", "distance", "normal"};
 
 Names namesOf(const auto& list) {
   return {list.begin(), list.end()};
-}
-
-std::string oneOf(const Names& names) {
-  std::string text = "one of";
-  for (const std::string& name : names) text += (name == names.front() ? " " : ", ") + quoteJson(name);
-  return text;
-}
-
-void name(FieldReader& at, const char* key, std::string& value, const Names& names) {
-  at.field(key, value);
-  const bool known = std::find(names.begin(), names.end(), value) != names.end();
-  at.expect(known || (value.empty() && !at.has(key)), key, oneOf(names));
 }
 
 // Empty: the event takes no name.
@@ -57,26 +47,29 @@ bool takesValue(StepEvent event) {
          event == StepEvent::hiddenShareAbove || event == StepEvent::hiddenShareBelow;
 }
 
-void optional(FieldReader& at, const char* key, auto& value, Range range) {
+void optional(auto& at, const char* key, auto& value, Range range) {
   if (!at.has(key)) return;
   value.emplace();
   at.field(key, *value, range);
 }
 
-void checkIds(const Lesson& lesson, const std::string& fileName) {
+void checkIds(const Lesson& lesson, const JsonValue& json, FileRemarks& remarks) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    if (seen.insert(lesson.steps[i].id).second) continue;
-    throw Error("expected an id of its own, got " + quoteJson(lesson.steps[i].id) + " again", fileName,
-                fmt::format("/lesson/steps/{}/id", i));
+    const std::string path = fmt::format("/steps/{}/id", i);
+    const JsonValue* id = findByPath(json, path);
+    if (!id || lesson.steps[i].id.empty() || seen.insert(lesson.steps[i].id).second) continue;
+    remarks.addFault("expected an id of its own, got " + quoteJson(lesson.steps[i].id) + " again", id->place,
+                     "/lesson" + path);
   }
 }
 
 }  // namespace
 
-// Not in the nameless namespace, where FieldReader would not find them by their arguments' types.
+// Not in the nameless namespace, where FieldReader and FieldSchema would not find them by their arguments' types.
 
-static void fields(FieldReader& at, StepCondition& condition) {
+template <typename At>
+static void fields(At& at, StepCondition& condition) {
   at.choice("when", condition.when, stepEvents);
   if (takesValue(condition.when)) {
     at.need({"value"});
@@ -85,10 +78,11 @@ static void fields(FieldReader& at, StepCondition& condition) {
   const Names names = namesFor(condition.when);
   if (names.empty()) return;
   at.need({"what"});
-  name(at, "what", condition.what, names);
+  at.oneOf("what", condition.what, names);
 }
 
-static void fields(FieldReader& at, StepMove& move) {
+template <typename At>
+static void fields(At& at, StepMove& move) {
   optional(at, "eye", move.eye, limits::coordinates);
   optional(at, "original", move.original, limits::coordinates);
   optional(at, "mirror", move.mirror, limits::coordinates);
@@ -104,12 +98,12 @@ static void fields(FieldReader& at, StepMove& move) {
     auto& [column, row] = move.pixel.emplace();
     at.pair("pixel", column, row, limits::cellNumber);
   }
-  name(at, "preview", move.preview, namesOf(previewTabs));
-  name(at, "rays", move.rays, raySources);
-  name(at, "putRight", move.putRight, mistakeNames);
-  name(at, "shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
+  at.oneOf("preview", move.preview, namesOf(previewTabs));
+  at.oneOf("rays", move.rays, raySources);
+  at.oneOf("putRight", move.putRight, mistakeNames);
+  at.oneOf("shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
   optional(at, "segments", move.segments, limits::boxSegments.level);
-  name(at, "mirrorKind", move.mirrorKind, namesOf(shapeNames()));
+  at.oneOf("mirrorKind", move.mirrorKind, namesOf(shapeNames()));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);
@@ -117,13 +111,15 @@ static void fields(FieldReader& at, StepMove& move) {
   at.field("freeze", move.freeze);
 }
 
-static void fields(FieldReader& at, StepShow& show) {
-  name(at, "tab", show.tab, namesOf(stepTabs));
+template <typename At>
+static void fields(At& at, StepShow& show) {
+  at.oneOf("tab", show.tab, namesOf(stepTabs));
   at.field("widget", show.widget);
   if (at.has("play")) at.object("play", show.play.emplace());
 }
 
-static void fields(FieldReader& at, LessonStep& step) {
+template <typename At>
+static void fields(At& at, LessonStep& step) {
   at.need({"id", "title", "why", "do"});
   at.field("id", step.id);
   at.expect(!step.id.empty(), "id", "a name that is not empty");
@@ -131,19 +127,21 @@ static void fields(FieldReader& at, LessonStep& step) {
   at.field("why", step.why);
   at.field("do", step.task);
   at.field("notice", step.notice);
-  name(at, "figure", step.figure, namesOf(stepFigures));
+  at.oneOf("figure", step.figure, namesOf(stepFigures));
   at.field("optional", step.optional);
   at.list("done", step.done, limits::mostConditions);
   at.object("show", step.show);
 }
 
-static void fields(FieldReader& at, Badge& badge) {
+template <typename At>
+static void fields(At& at, Badge& badge) {
   at.need({"title", "text"});
   at.field("title", badge.title);
   at.field("text", badge.text);
 }
 
-static void fields(FieldReader& at, Lesson& lesson) {
+template <typename At>
+static void fields(At& at, Lesson& lesson) {
   at.need({"id", "steps"});
   at.field("id", lesson.id);
   at.expect(!lesson.id.empty(), "id", "a name that is not empty");
@@ -151,22 +149,28 @@ static void fields(FieldReader& at, Lesson& lesson) {
   at.list("steps", lesson.steps, limits::mostSteps);
 }
 
-Lesson parseLesson(std::string_view json, const std::string& fileName) {
+Lesson readLesson(const JsonValue& json, FileRemarks& remarks) {
   Lesson lesson;
-  if (json.empty()) return lesson;
-  const JsonValue document = parseJson(json, fileName);
-  FieldReader::Context context{fileName, {}};
-  FieldReader reader(document, "/lesson", context);
+  // A misspelt key of a step would silently be no condition: unknown ones are refused.
+  FieldReader::Context context(remarks.file(), FieldReader::UnknownKeys::refused);
+  FieldReader reader(json, "/lesson", context);
   fields(reader, lesson);
   reader.finish();
-  // A misspelt key of a step would silently be no condition: here, unknown ones are errors.
-  if (!context.unknownKeys.empty()) {
-    const UnknownKey& unknown = context.unknownKeys.front();
-    throw Error("expected a key of a lesson, got " + quoteJson(unknown.key), fileName,
-                joinJsonPath(unknown.object, unknown.key));
-  }
-  checkIds(lesson, fileName);
+  checkIds(lesson, json, context.remarks);
+  remarks.add(context.remarks);
   return lesson;
+}
+
+Lesson parseLesson(std::string_view json, const std::string& fileName) {
+  if (json.empty()) return {};
+  FileRemarks remarks(fileName);
+  Lesson lesson = readLesson(parseJson(json, fileName), remarks);
+  remarks.throwFaults();
+  return lesson;
+}
+
+JsonValue jsonSchema(const Lesson& lesson) {
+  return schemaOf(lesson);
 }
 
 }  // namespace anamorph

@@ -10,7 +10,7 @@
 //                "show": {"tab": "eye", "widget": "Position", "play": {"eye": [3, -11, 6.5]}}}]
 //   }
 //
-// The vocabulary is small and checked: what is not in it is an Error with its JSON pointer. levels/README.md
+// The vocabulary is small and checked: what is not in it is an Error with its place. levels/README.md
 // explains all of it.
 #pragma once
 
@@ -20,6 +20,8 @@
 #include <string_view>
 #include <vector>
 
+#include "level/file_remarks.h"
+#include "level/json.h"
 #include "math/vec.h"
 
 namespace anamorph {
@@ -128,7 +130,13 @@ struct Lesson {
   bool operator==(const Lesson&) const = default;
 };
 
-/// The lesson in a level's text; without steps for "". Throws Error with the JSON pointer from "/lesson" on.
+/// A level's lesson; JSON pointers begin with "/lesson". What is wrong with it goes to the remarks.
+Lesson readLesson(const JsonValue& json, FileRemarks& remarks);
+
+/// The same from the text that a level keeps, which has been read before; without steps for "". Throws Error.
 Lesson parseLesson(std::string_view json, const std::string& fileName);
+
+/// The JSON Schema of a lesson.
+JsonValue jsonSchema(const Lesson& lesson);
 
 }  // namespace anamorph

@@ -8,6 +8,7 @@
 // up.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -70,6 +71,9 @@ struct FileShape {
 };
 
 using OriginalShape = std::variant<BoxShape, SphereShape, TorusKnotShape, LetterFShape, PawnShape, FileShape>;
+/// What they are called in files.
+inline constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
+static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
 
 struct OriginalSettings {
   OriginalShape shape;
@@ -164,6 +168,7 @@ struct LevelText {
   std::string description;
   std::string lesson;  ///< the lesson's steps, as JSON text on one line; empty: none
   std::vector<UnknownKey> unknownKeys;
+  std::string schema{};  ///< "$schema": where editors find what a level may hold; empty: none
 
   bool operator==(const LevelText&) const = default;
 };

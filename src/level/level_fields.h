@@ -1,6 +1,6 @@
-// The level file, said once: names, order, ranges and which keys are needed. FieldReader and FieldWriter both
-// walk these functions, so what is read and what is written cannot drift apart. levels/README.md explains the
-// same for people.
+// The level file, said once: names, order, ranges and which keys are needed. FieldReader, FieldWriter and FieldSchema
+// walk these functions, so what is read, what is written and what `anamorph schema` says cannot drift apart.
+// levels/README.md explains the same for people.
 //
 // To add a field: a member in level.h with its default, a line here, its limits in limits.h, a line in
 // levels/README.md.
@@ -17,6 +17,7 @@
 
 #include "base/text.h"
 #include "level/field_reader.h"
+#include "level/lesson.h"
 #include "level/level.h"
 #include "level/limits.h"
 #include "optics/shape_table.h"
@@ -24,8 +25,6 @@
 namespace anamorph {
 
 constexpr std::array opticKinds{"mirror", "none"};
-constexpr std::array originalShapes{"box", "sphere", "torusKnot", "letterF", "pawn", "file"};
-static_assert(originalShapes.size() == std::variant_size_v<OriginalShape>);
 
 /// The keys of a shape.
 struct ShapeKeys : ShapeFields {
@@ -259,6 +258,7 @@ template <typename At>
 void fields(At& at, Level& level) {
   at.need({"optic", "camera", "original"});
   LevelText text = *level.text;
+  at.textOrNone("$schema", text.schema, limits::mostTextBytes);
   at.field("title", text.title);
   at.field("description", text.description);
   at.object("optic", OpticFields{level.optic, level.mirrorLook});
@@ -270,7 +270,7 @@ void fields(At& at, Level& level) {
   at.object("ground", level.ground);
   at.object("tracing", level.tracing);
   at.object("view", level.view);
-  at.opaque("lesson", text.lesson, limits::mostLessonBytes);
+  at.template textOf<Lesson>("lesson", text.lesson, limits::mostLessonBytes);
   level.text = std::move(text);
 }
 

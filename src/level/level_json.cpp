@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/text.h"
 #include "level/field_reader.h"
+#include "level/field_schema.h"
 #include "level/field_writer.h"
-#include "level/json.h"
+#include "level/json_object.h"
 #include "level/level_fields.h"
 #include "level/scene_file.h"
 
@@ -37,14 +36,25 @@ void fields(At& at, Header& header) {
 
 Level readLevel(const JsonValue& document, FieldReader::Context& context) {
   FieldReader reader(document, "", context);
-  // First: under another version every other complaint would mislead.
   Header header;
   fields(reader, header);
+  context.remarks.throwFaults();  // under another version every other complaint would mislead
   Level level;
   fields(reader, level);
   reader.finish();
   level.text.edit([&](LevelText& text) { text.unknownKeys = context.unknownKeys; });
   return level;
+}
+
+/// A level file: FieldSchema walks both parts as one.
+struct HeaderAndLevel {
+  Header header;
+  Level level;
+};
+
+void fields(FieldSchema& at, HeaderAndLevel& file) {
+  fields(at, file.header);
+  fields(at, file.level);
 }
 
 bool isLevel(const JsonValue& document) {
@@ -54,23 +64,23 @@ bool isLevel(const JsonValue& document) {
 }  // namespace
 
 LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
-  const JsonValue document = parseJson(text, fileName);
-  FieldReader::Context context{fileName, {}};
   LoadedLevel loaded;
-  loaded.isThesisScene = isThesisScene(document);
-  if (!loaded.isThesisScene && !isLevel(document)) {
+  loaded.document = parseJson(text, fileName);
+  loaded.isThesisScene = isThesisScene(loaded.document);
+  if (!loaded.isThesisScene && !isLevel(loaded.document)) {
     throw Error(
         "expected a level (with \"format\": \"anamorph-level\") or a scene of the thesis (with \"Eye\" and "
         "\"Objects\"), got neither",
         fileName);
   }
-  loaded.level = loaded.isThesisScene ? readThesisScene(document, context) : readLevel(document, context);
-  loaded.lesson = parseLesson(loaded.level.text->lesson, fileName);
-  for (const UnknownKey& unknown : context.unknownKeys) {
-    loaded.warnings.push_back(fmt::format("{}: {}: unknown key, {}", fileName,
-                                          shortened(joinJsonPath(unknown.object, unknown.key), 300),
-                                          loaded.isThesisScene ? "ignored" : "kept but not used"));
-  }
+  using UnknownKeys = FieldReader::UnknownKeys;
+  FieldReader::Context context(fileName, loaded.isThesisScene ? UnknownKeys::ignored : UnknownKeys::kept);
+  loaded.level =
+      loaded.isThesisScene ? readThesisScene(loaded.document, context) : readLevel(loaded.document, context);
+  const JsonValue* lesson = loaded.isThesisScene ? nullptr : findMember(loaded.document, "lesson");
+  if (lesson) loaded.lesson = readLesson(*lesson, context.remarks);
+  context.remarks.throwFaults();
+  loaded.warnings = context.remarks.warnings();
   return loaded;
 }
 
@@ -82,6 +92,15 @@ std::string formatLevel(const Level& level) {
   fields(writer, header);
   fields(writer, copy);
   return formatJson(writer.finish());
+}
+
+std::string formatLevelSchema() {
+  JsonObject schema;
+  schema.add("$schema", std::string("https://json-schema.org/draft/2020-12/schema"));
+  schema.add("title", std::string("A level of Anamorph"));
+  const JsonValue file = schemaOf(HeaderAndLevel{});
+  for (std::size_t i = 0; i < file.keys.size(); ++i) schema.add(file.keys[i], file.items[i]);
+  return formatJson(schema.value());
 }
 
 LoadedLevel loadLevel(const std::filesystem::path& path, const CancelToken* token) {

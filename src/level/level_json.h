@@ -1,5 +1,5 @@
 // Level files: JSON with "format": "anamorph-level", explained in levels/README.md. Reading is strict about
-// types and ranges; keys that are not known are warned about and survive load and save. The thesis' scene
+// types and ranges, and tells all faults at once; keys that are not known are warned about and survive load and save. The thesis' scene
 // files are read too. Geometry that no sculpture can be made of (an eye inside the sphere) is no fault of the
 // file: the optics tell.
 #pragma once
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "level/json.h"
 #include "level/lesson.h"
 #include "level/level.h"
 
@@ -21,18 +22,22 @@ constexpr std::size_t maxLevelBytes = std::size_t{16} << 20;
 
 struct LoadedLevel {
   Level level;
-  Lesson lesson;                      ///< what level.lesson says
-  std::vector<std::string> warnings;  ///< whole sentences with file and JSON pointer
+  Lesson lesson;                      ///< what level.text->lesson says
+  std::vector<std::string> warnings;  ///< whole sentences with file, line and JSON pointer
+  JsonValue document;                 ///< the file, with the places of everything in it
   /// From a scene file of the thesis: the original is a FileShape without a path that the caller fills in,
   /// and the camera's target is the mesh's position until the caller knows the original's box.
   bool isThesisScene = false;
 };
 
-/// Throws Error `file: where: expected, got`; `fileName` is only for messages.
+/// Throws Error `file: where: expected, got` with all faults there are; `fileName` is only for messages.
 LoadedLevel parseLevel(std::string_view text, const std::string& fileName);
 
 /// All fields in a fixed order, indented by 2; parseLevel gives the same level again.
 std::string formatLevel(const Level& level);
+
+/// What a level file may hold, as a JSON Schema (draft 2020-12).
+std::string formatLevelSchema();
 
 /// parseLevel of a file of at most 16 MiB; throws Cancelled as readFile does.
 LoadedLevel loadLevel(const std::filesystem::path& path, const CancelToken* token = nullptr);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "level/field_reader.h"
+#include "level/json_places.h"
 #include "level/level_fields.h"
 #include "optics/cylinder.h"
 #include "optics/plane.h"
@@ -101,13 +103,14 @@ Level readThesisScene(const JsonValue& document, FieldReader::Context& context) 
   FieldReader reader(document, "", context);
   fields(reader, scene);
   reader.finish();
+  context.remarks.throwFaults();  // the mirror and the mesh are counted only in a sound list
 
   const auto meshes = std::count_if(scene.objects.begin(), scene.objects.end(), isMesh);
   const auto mirrors = static_cast<std::ptrdiff_t>(scene.objects.size()) - meshes;
   if (mirrors != 1 || meshes != 1) {
     throw Error(fmt::format("expected one mirror (quad, cylinder or sphere) and one mesh, got {} and {}",
                             mirrors, meshes),
-                context.file, "/Objects");
+                context.remarks.file(), whereText(findMember(document, "Objects")->place, "/Objects"));
   }
 
   Level level;

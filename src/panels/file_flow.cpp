@@ -160,10 +160,14 @@ void chooseOriginal(Editor& editor, UiState& ui) {
   browseFiles(ui.browser, FilePurpose::openMesh, file ? modelPath(*file, editor.session.path()) : fs::path());
 }
 
-void importOriginal(Editor& editor, const fs::path& mesh) {
+void importOriginal(Editor& editor, const fs::path& mesh, std::optional<ModelUp> up) {
   editor.session.finishChange();
-  MeshImport import{mesh, meshNameFor(mesh, editor.session.path()), editor.session.path(),
-                    originalBox(editor), editor.session.isThesisScene() && !editor.session.canUndo()};
+  MeshImport import{mesh,
+                    meshNameFor(mesh, editor.session.path()),
+                    editor.session.path(),
+                    originalBox(editor),
+                    editor.session.isThesisScene() && !editor.session.canUndo(),
+                    up};
   editor.job.start(editor.session, trFormat("Reading {}", mesh.filename().string()),
                    [import = std::move(import)](const Level& level, const Progress& progress) {
                      return importMesh(import, level, progress);

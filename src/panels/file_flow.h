@@ -27,7 +27,8 @@ void chooseOriginal(Editor& editor, UiState& ui);
 /// Reads a mesh in the background and puts it in the original's place, fitted into its box; in place of another mesh
 /// file it keeps rotation and scale (withAnotherMesh). Which way is up is guessed, and said where that turns it: one step
 /// to undo, before the import itself. For a scene of the thesis it stays as it is, as that scene means it.
-void importOriginal(Editor& editor, const std::filesystem::path& mesh);
+void importOriginal(Editor& editor, const std::filesystem::path& mesh,
+                    std::optional<ModelUp> up = std::nullopt);
 
 /// Files that were dropped on the window: a mesh takes the original's place, or is the one that was asked for, a level is
 /// opened. Of several the first that is either.

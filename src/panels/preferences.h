@@ -7,11 +7,6 @@
 
 namespace anamorph {
 
-/// A language that can be chosen: its code ("nl"), and what its speakers call it.
-struct LanguageChoice {
-  std::string code, name;
-};
-
 struct Preferences {
   Theme theme = Theme::dark;
   double uiScale = 0;    ///< 0: as the screen says; else 0.75..3

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edit/pick.h"
+#include "level/languages.h"
 #include "level/level_library.h"
 #include "panels/browser_state.h"
 #include "panels/export_window.h"

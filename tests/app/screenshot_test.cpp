@@ -49,6 +49,13 @@ class Screenshot : public ::testing::Test {
     EXPECT_EQ(linesIn(result.err), 1) << result.err;
     return path;
   }
+  // The same with standard input from a file.
+  std::string takeFrom(const std::string& file, const std::string& arguments) {
+    const std::string path = folder / "piped.png";
+    const std::string command = ANAMORPH_PROGRAM " screenshot --quiet --size 320x240 " + arguments;
+    EXPECT_EQ(std::system((command + " -o " + path + " <" + file).c_str()), 0);
+    return path;
+  }
   Bitmap picture(const std::string& arguments) { return loadPng(take(arguments)); }
 
   // Fails with `code` and one line that has `word`; nothing is left.
@@ -136,8 +143,41 @@ TEST_F(Screenshot, FaultsLeaveNoFile) {
   expectFault("1-plane --theme pink", 2, "theme");
   expectFault("1-plane --morph 2", 2, "morph");
   expectFault("1-plane --ui-scale 0.1", 2, "ui-scale");
+  expectFault("1-plane --step 99", 2, "--step: expected 1 (");
+  expectFault("1-plane --step 0", 2, "--step: expected 1 (");
+  expectFault(std::string(ANAMORPH_TEST_DATA) + "/levels/cone.json --step 1", 2, "no lesson");
+  expectFault("1-plane --language xx", 2, "--language: expected en or nl, got xx");
+  expectFault("1-plane no-such-mesh.obj", 1, "no-such-mesh.obj");
+  expectFault("- -", 2, "expected one file from standard input, got two");
   expectFault("no-such-level", 1, "no-such-level");
   expectFault(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", 1, "cube.obj");
+}
+
+// A mesh takes the original's place, fitted into its box, and fitted to nothing in a scene of the thesis, as in deform.
+TEST_F(Screenshot, TakesAModel) {
+  const std::string data = ANAMORPH_TEST_DATA, cube = data + "/meshes/cube.obj",
+                    scene = data + "/scenes/thesis-sphere.json";
+  for (const std::string& level : {std::string("3-sphere"), scene}) {
+    SCOPED_TRACE(level);
+    const std::string with = take(level + " --no-panels " + cube, "with.png");
+    EXPECT_GT(compare(loadPng(with), picture(level + " --no-panels"), 8).fractionOver, 0.0005);
+    EXPECT_EQ(readAll(takeFrom(cube, level + " - --no-panels")), readAll(with));
+  }
+}
+
+TEST_F(Screenshot, TakesALevelFromStandardInput) {
+  const std::string level = std::string(ANAMORPH_LEVELS) + "/2-cylinder.json";
+  EXPECT_EQ(readAll(takeFrom(level, "- --no-panels")), readAll(take("2-cylinder --no-panels")));
+}
+
+TEST_F(Screenshot, SaysWhatItWroteAsJson) {
+  const Result result = run("screenshot 1-plane --size 200 --json -o " + (folder / "out.png"));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const JsonValue json = parseJson(result.out, "out");
+  EXPECT_EQ(findMember(json, "path")->text, folder / "out.png");
+  EXPECT_EQ(findMember(json, "width")->number, 200);
+  EXPECT_EQ(findMember(json, "height")->number, 200);
 }
 
 TEST_F(Screenshot, OutputHasToBeAPngThatCanBeWritten) {
@@ -255,7 +295,7 @@ TEST_F(BenchDrag, PrintsATable) {
 
 TEST_F(BenchDrag, WrongUsageIsTwo) {
   for (const char* arguments : {"bench-drag", "bench-drag 1 --frames 0", "bench-drag 1 --frames 1e9",
-                                "bench-drag 1 --size 3", "bench-drag 1 --triangles 0"}) {
+                                "bench-drag 1 --size 3x", "bench-drag 1 --triangles 0"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_EQ(linesIn(result.err), 1) << result.err;

@@ -57,8 +57,8 @@ TEST(TemporaryFiles, AreMoreThanThereArePlacesForTheirNames) {
 TEST(TemporaryFolders, GoWithTheirFile) {
   fs::path file;
   {
-    const TemporaryFolder folder("output.obj");
-    file = folder.file();
+    TemporaryFolder folder;
+    file = folder.file("output.obj");
     EXPECT_EQ(file.filename(), "output.obj");
     writeFile(file, "v 0 0 0");
   }
@@ -72,9 +72,10 @@ TEST(TemporaryFolders, GoWithASignal) {
   const auto stopWithin = [&] {
     ::setenv("TMPDIR", place.c_str(), 1);
     removeTemporariesOnSignals();
-    const TemporaryFolder folder("output.obj");
-    std::ofstream(folder.file()) << "v 0 0 0";
-    const TemporaryFile half(folder.file().parent_path(), 0600);
+    TemporaryFolder folder;
+    const fs::path file = folder.file("output.obj");
+    std::ofstream(file) << "v 0 0 0";
+    const TemporaryFile half(file.parent_path(), 0600);
     ::raise(SIGINT);
   };
   EXPECT_EXIT(stopWithin(), testing::KilledBySignal(SIGINT), "");

@@ -44,8 +44,11 @@ TEST(Program, WrongUsageIsTwo) {
   for (const std::string& arguments : std::vector<std::string>{"nonsense",
                                                                "deform",
                                                                "match 1 --size 0",
+                                                               "match 1 --size 64x0",
+                                                               "export 1 -o x.png --size 8x64",
+                                                               "export 1 -o x.pdf --language xx",
                                                                "match 1 --tolerance fine",
-                                                               "render 1 -o x.png --size 5",
+                                                               "render 1 -o x.png --size 5x",
                                                                "render 1 -o x.png --size 5x-5",
                                                                "render 1 -o x.gif",
                                                                "deform 1 -o x.txt",
@@ -72,7 +75,7 @@ TEST(Program, WrongUsageIsTwo) {
   for (const char* word : {"defrom", "9-none", "'1-plane '"}) {
     const Result unknown = run(word);
     EXPECT_EQ(unknown.exitCode, 2) << word;
-    EXPECT_THAT(unknown.err, HasSubstr("expected a command (deform, match, render, check, levels"));
+    EXPECT_THAT(unknown.err, HasSubstr("expected a command (deform, match, render, check, levels, schema"));
     EXPECT_THAT(unknown.err, HasSubstr("), got "));
   }
   EXPECT_THAT(run("match 1 --fov nan").err, HasSubstr("--fov: expected a number from 1 to 170, got nan"));
@@ -93,7 +96,7 @@ TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
   for (const char* command : {"open", "screenshot"}) EXPECT_THAT(run("--help").out, HasSubstr(command));
   // None of these comes as far as a window.
   for (const char* arguments :
-       {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5", "1 --theme pink", "open --ui-scale 9",
+       {"open --bogus", "1-plane --bogus", "--bogus", "open --size 5x", "1 --theme pink", "open --ui-scale 9",
         "1 --ui-scale nan", "open 1 a.obj b.obj"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments;
@@ -235,9 +238,9 @@ TEST(Match, JsonHasEveryFigure) {
   const Result result = run("match 3-sphere --size 200 --json");
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const JsonValue json = parseJson(result.out, "out");
-  EXPECT_THAT(json.keys, ElementsAre("size", "originalPixels", "contourPx", "silhouetteIou",
-                                     "correspondencePx", "triangleAgreement", "hiddenShare", "missedShare",
-                                     "extraShare", "grade", "status"));
+  EXPECT_THAT(json.keys, ElementsAre("size", "width", "height", "originalPixels", "contourPx",
+                                     "silhouetteIou", "correspondencePx", "triangleAgreement", "hiddenShare",
+                                     "missedShare", "extraShare", "grade", "status"));
   EXPECT_THAT(member(json, "correspondencePx").keys, ElementsAre("mean", "p99", "max"));
   EXPECT_EQ(member(json, "size").number, 200);
   EXPECT_GE(member(json, "silhouetteIou").number, 0.99);

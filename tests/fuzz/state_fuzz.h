@@ -14,13 +14,13 @@
 #include <fmt/args.h>
 
 #include "app/autosave.h"
-#include "app/languages.h"
 #include "app/preferences.h"
 #include "app/progress_file.h"
 #include "base/check.h"
 #include "base/error.h"
 #include "base/format_places.h"
 #include "edit/level_files.h"
+#include "level/languages.h"
 #include "level/level_json.h"
 
 namespace anamorph::testing {

@@ -17,6 +17,7 @@ class RandomLevel {
   Level make() {
     Level level;
     LevelText words{text(), text(), "", {}};
+    if (coin()) words.schema = text();
     level.optic = {coin() ? OpticKind::mirror : OpticKind::canvas, mirror()};
     level.mirrorLook = {color(), fraction()};
     level.camera = camera();

@@ -10,9 +10,13 @@
 #include <vector>
 
 #include "base/language.h"
-#include "panels/preferences.h"
 
 namespace anamorph {
+
+/// A language that can be chosen: its code ("nl"), and what its speakers call it.
+struct LanguageChoice {
+  std::string code, name;
+};
 
 /// Throws Error `file: where: expected, got`; also for a translation that takes other values than its English
 /// (base/format_places.h). `file` is only for messages.

@@ -1,4 +1,4 @@
-#include "app/languages.h"
+#include "level/languages.h"
 
 #include <algorithm>
 #include <cstdlib>

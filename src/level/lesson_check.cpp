@@ -1,0 +1,145 @@
+#include "level/lesson_check.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "level/level_fields.h"
+#include "level/step_controls.h"
+#include "optics/shape_table.h"
+
+namespace anamorph {
+namespace {
+
+// Adds a fault at a place of the document.
+class LessonFaults {
+ public:
+  LessonFaults(const JsonValue& document, FileRemarks& remarks) : document_(document), remarks_(remarks) {}
+
+  void add(const std::string& path, const std::string& expected, const std::string& hint = {}) {
+    const JsonValue* value = findByPath(document_, path);
+    if (!value) return;
+    remarks_.addFault("expected " + expected + ", got " + describeJson(*value) + hint, value->place, path);
+  }
+
+ private:
+  const JsonValue& document_;
+  FileRemarks& remarks_;
+};
+
+bool& mistakeOf(Mistakes& mistakes, const std::string& name) {
+  if (name == "direction") return mistakes.direction;
+  return name == "distance" ? mistakes.distance : mistakes.normal;
+}
+
+template <typename Value>
+void take(Value& value, const std::optional<Value>& moved) {
+  if (moved) value = *moved;
+}
+
+// What the move makes of the numbers and switches of a level; its shapes keep their kinds.
+LevelScene played(LevelScene level, const StepMove& move) {
+  take(level.camera.eye, move.eye);
+  take(level.camera.fovDegrees, move.fovDegrees);
+  take(level.original.placement.position, move.original);
+  take(level.sculpture.depthScale, move.depthScale);
+  take(level.sculpture.tolerancePixels, move.tolerancePixels);
+  if (auto* box = std::get_if<BoxShape>(&level.original.shape)) take(box->segments, move.segments);
+  if (!move.putRight.empty()) mistakeOf(level.sculpture.mistakes, move.putRight) = false;
+  return level;
+}
+
+// Whether the condition can be true after the move; figures of the match are not computed for it.
+bool canHold(const StepCondition& condition, const StepMove& move, const LevelScene& before) {
+  LevelScene after = played(before, move);
+  switch (condition.when) {
+    case StepEvent::movedEye:
+      return after.camera.eye != before.camera.eye;
+    case StepEvent::movedOriginal:
+      return !move.shape.empty() || !(after.original.placement == before.original.placement);
+    case StepEvent::movedMirror:
+      return move.mirror || !move.mirrorKind.empty();
+    case StepEvent::changedOriginal:
+      return !move.shape.empty() || !(after.original.shape == before.original.shape);
+    case StepEvent::changedMirror:
+      return move.mirrorKind == condition.what;
+    case StepEvent::depthScaleChanged:
+      return after.sculpture.depthScale != before.sculpture.depthScale;
+    case StepEvent::toleranceOff:
+      return after.sculpture.tolerancePixels == 0;
+    case StepEvent::toleranceOn:
+      return after.sculpture.tolerancePixels > 0;
+    case StepEvent::pickedPixel:
+      return move.pixel.has_value();
+    case StepEvent::pickedVertex:
+      return move.vertex.has_value();
+    case StepEvent::viewed:
+      return move.preview == condition.what;
+    case StepEvent::lookedThrough:
+      return move.lookThrough;
+    case StepEvent::rotatedView:
+      return move.viewEye || move.viewTarget;
+    case StepEvent::morphed:
+      return move.morph && *move.morph < 0.5;
+    case StepEvent::raysOf:
+      return move.rays == condition.what;
+    case StepEvent::animatedRays:
+      return move.animate;
+    case StepEvent::wireframe:
+      return move.wireframe;
+    case StepEvent::putRight:
+      return !mistakeOf(after.sculpture.mistakes, condition.what);
+    case StepEvent::undone:
+      return move.undo;
+    case StepEvent::exported:
+      return false;
+    case StepEvent::matchAbove:
+    case StepEvent::matchBelow:
+    case StepEvent::hiddenShareAbove:
+    case StepEvent::hiddenShareBelow:
+      break;
+  }
+  return true;
+}
+
+void checkPlay(const LessonStep& step, const std::string& path, const LevelScene& before,
+               std::size_t vertices, LessonFaults& faults) {
+  const StepMove& move = *step.show.play;
+  if (move.vertex && static_cast<std::size_t>(*move.vertex) >= vertices) {
+    faults.add(path + "/vertex", fmt::format("one of the original's vertices, 0 to {}", vertices - 1));
+  }
+  const PixelGrid& grid = before.grid;
+  if (move.pixel && ((*move.pixel)[0] >= grid.columns || (*move.pixel)[1] >= grid.rows)) {
+    faults.add(path + "/pixel", fmt::format("a pixel of the grid of {} x {}", grid.columns, grid.rows));
+  }
+  for (const StepCondition& condition : step.done) {
+    if (canHold(condition, move, before)) continue;
+    const std::string event = stepEvents[static_cast<std::size_t>(condition.when)];
+    const std::string what = condition.what.empty() ? "" : " \"" + condition.what + '"';
+    faults.add(path, fmt::format("a move after which its step is done (\"{}\"{})", event, what));
+  }
+}
+
+}  // namespace
+
+void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& remarks) {
+  const std::vector<std::string>& controls = stepControls();
+  LessonFaults faults(loaded.document, remarks);
+  LevelScene level = loaded.level;
+  for (std::size_t i = 0; i < loaded.lesson.steps.size(); ++i) {
+    const LessonStep& step = loaded.lesson.steps[i];
+    const std::string path = fmt::format("/lesson/steps/{}/show", i), &widget = step.show.widget;
+    if (!widget.empty() && std::find(controls.begin(), controls.end(), widget) == controls.end()) {
+      faults.add(path + "/widget", "the English name of a control", didYouMean(widget, controls));
+    }
+    if (!step.show.play) continue;
+    checkPlay(step, path + "/play", level, vertices, faults);
+    level = played(level, *step.show.play);
+  }
+}
+
+}  // namespace anamorph

@@ -1,0 +1,61 @@
+#include "level/step_controls.h"
+
+#include <array>
+
+#include "optics/shape_table.h"
+
+namespace anamorph {
+namespace {
+
+// But for the rows of the mirror's shape. The panels draw them, in a room below this one that `anamorph check` does not
+// see: tests/panels/step_controls_test.cpp compares.
+// clang-format off
+constexpr std::array controls{
+    "A mesh from a file...", "Add a light", "Again and again", "Ambient", "Animate", "Another mesh...",
+    "Camera, frustum and grid", "Canvas", "Colour", "Colour by status", "Columns", "Depth scale k",
+    "Description", "Difference", "Diffuse", "Direction", "Distance", "Exponent", "Eye",
+    "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "From the start", "Go on",
+    "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays", "Hide rays into the sky",
+    "How many", "In the colour they bring", "Inside the level", "Intensity", "Language", "Legend",
+    "Let it go", "Lift until nothing is hidden", "Lights", "Look through the RT camera", "Looks at", "Mesh",
+    "Mirror", "Morph", "Normal", "One after the other", "Original", "Parallel rays", "Pause", "Percent",
+    "Position", "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine", "Reflectance",
+    "Reflection", "Reflects", "Remove this light", "Reset the level", "Rotation", "Rows", "Samples",
+    "Scale", "Sculpture", "Seen in the mirror", "Segments", "Shadows", "Shape", "Share", "Shininess",
+    "Show rays", "Show the lights", "Sides", "Size", "Sky above", "Sky below", "Specular", "Speed",
+    "T R S to move, rotate, scale", "Theme", "Thicker if they matter more", "Thickness", "Tint", "Title",
+    "To the lights too", "Tolerance", "Triangle edges", "Tube radius", "Vertices", "View", "Which", "Wipe"};
+// clang-format on
+
+// Adds the rows of a shape.
+struct ShapeRowNames : ShapeFields {
+  explicit ShapeRowNames(std::vector<std::string>& all) : names(all) {}
+  void point(const FieldName& name, Point&) override { names.emplace_back(name.label); }
+  void length(const FieldName& name, double&) override { names.emplace_back(name.label); }
+  void points(const FieldName& name, std::span<Point> values) override {
+    for (std::size_t i = 1; i <= values.size(); ++i) {
+      names.push_back(std::string(name.label) + " " + std::to_string(i));
+    }
+  }
+  void distance(const FieldName& name, const Point&, Point&) override { names.emplace_back(name.label); }
+  std::vector<std::string>& names;
+};
+
+std::vector<std::string> allControls() {
+  std::vector<std::string> names(controls.begin(), controls.end());
+  ShapeRowNames rows(names);
+  for (const ShapeType& type : shapeTypes()) {
+    Shape shape = type.standard;
+    visitFields(shape, rows);
+  }
+  return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& stepControls() {
+  static const std::vector<std::string> all = allControls();
+  return all;
+}
+
+}  // namespace anamorph
