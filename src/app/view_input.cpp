@@ -88,8 +88,9 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
   if (!editor.lookingThrough)
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
-  if (const auto& construction = currentConstruction(editor))
-    append(lines, makeConstructionLines(*construction));
+  for (const auto* construction : {&currentConstruction(editor), &earlierConstruction(editor)}) {
+    if (*construction) append(lines, makeConstructionLines(**construction));
+  }
   return lines;
 }
 

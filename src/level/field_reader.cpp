@@ -122,6 +122,21 @@ void FieldReader::numberOrOff(const char* key, double& value, Range range) {
   value = inRange ? json->number : 0;
 }
 
+void FieldReader::names(const char* key, std::vector<std::string>& values,
+                        const std::vector<std::string>& allowed) {
+  const JsonValue* json = find(key);
+  if (!json) return;
+  const bool many = json->kind == Kind::array;
+  for (const JsonValue& item : many ? json->items : std::vector<JsonValue>{*json}) {
+    const bool known = std::find(allowed.begin(), allowed.end(), item.text) != allowed.end();
+    const bool twice = std::find(values.begin(), values.end(), item.text) != values.end();
+    if (item.kind != Kind::string || !known || twice) {
+      fail(pathOf(key), inQuotes(allowed) + ", or an array of some of them", *json);
+    }
+    values.push_back(item.text);
+  }
+}
+
 void FieldReader::opaque(const char* key, std::string& json, std::size_t most) {
   const JsonValue* value = find(key);
   if (!value) return;

@@ -55,6 +55,8 @@ class FieldReader {
   void numberOrOff(const char* key, double& value, Range range);
   /// A string of at most `most` bytes, empty where the file has none.
   void textOrNone(const char* key, std::string& value, std::size_t most);
+  /// A string that is one of `allowed`, or an array of such; each at most once.
+  void names(const char* key, std::vector<std::string>& values, const std::vector<std::string>& allowed);
   /// Any JSON, as text on one line of at most `most` bytes.
   void opaque(const char* key, std::string& json, std::size_t most);
 

@@ -20,7 +20,7 @@ using Names = std::vector<std::string>;
 const Names raySources{"pixels", "vertices"};
 const Names mistakeNames{"direction", "distance", "normal"};
 
-Names namesOf(const auto& list) {
+Names namesIn(const auto& list) {
   return {list.begin(), list.end()};
 }
 
@@ -40,9 +40,9 @@ void name(FieldReader& at, const char* key, std::string& value, const Names& nam
 Names namesFor(StepEvent event) {
   switch (event) {
     case StepEvent::changedMirror:
-      return namesOf(shapeNames());
+      return namesIn(shapeNames());
     case StepEvent::viewed:
-      return namesOf(previewTabs);
+      return namesIn(previewTabs);
     case StepEvent::raysOf:
       return raySources;
     case StepEvent::putRight:
@@ -52,15 +52,37 @@ Names namesFor(StepEvent event) {
   }
 }
 
-bool takesValue(StepEvent event) {
-  return event == StepEvent::matchAbove || event == StepEvent::matchBelow ||
-         event == StepEvent::hiddenShareAbove || event == StepEvent::hiddenShareBelow;
+// Nothing: the event takes no value.
+std::optional<Range> valuesFor(StepEvent event) {
+  switch (event) {
+    case StepEvent::matchAbove:
+    case StepEvent::matchBelow:
+    case StepEvent::hiddenShareAbove:
+    case StepEvent::hiddenShareBelow:
+      return limits::fractions;
+    case StepEvent::eyeAbove:
+      return limits::coordinates;
+    case StepEvent::eyeAway:
+      return limits::lengths;
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+      return limits::depthScale.level;
+    case StepEvent::verticesBelow:
+      return limits::vertexNumber;
+    default:
+      return std::nullopt;
+  }
 }
 
 void optional(FieldReader& at, const char* key, auto& value, Range range) {
   if (!at.has(key)) return;
   value.emplace();
   at.field(key, *value, range);
+}
+
+// What is made there and back, what another box would change, and what goes by the history begin nothing.
+bool canBegin(const StepMove& start) {
+  return !start.morph && !start.wipe && start.shape.empty() && !start.undo;
 }
 
 void checkIds(const Lesson& lesson, const std::string& fileName) {
@@ -78,9 +100,9 @@ void checkIds(const Lesson& lesson, const std::string& fileName) {
 
 static void fields(FieldReader& at, StepCondition& condition) {
   at.choice("when", condition.when, stepEvents);
-  if (takesValue(condition.when)) {
+  if (const auto values = valuesFor(condition.when)) {
     at.need({"value"});
-    at.field("value", condition.value, limits::fractions);
+    at.field("value", condition.value, *values);
   }
   const Names names = namesFor(condition.when);
   if (names.empty()) return;
@@ -99,17 +121,22 @@ static void fields(FieldReader& at, StepMove& move) {
   optional(at, "morph", move.morph, limits::fractions);
   optional(at, "viewEye", move.viewEye, limits::coordinates);
   optional(at, "viewTarget", move.viewTarget, limits::coordinates);
+  optional(at, "wipe", move.wipe, limits::fractions);
   optional(at, "vertex", move.vertex, limits::vertexNumber);
+  if (at.has("ends")) {
+    auto& [first, second] = move.ends.emplace();
+    at.pair("ends", first, second, limits::vertexNumber);
+  }
   if (at.has("pixel")) {
     auto& [column, row] = move.pixel.emplace();
     at.pair("pixel", column, row, limits::cellNumber);
   }
-  name(at, "preview", move.preview, namesOf(previewTabs));
+  name(at, "preview", move.preview, namesIn(previewTabs));
   name(at, "rays", move.rays, raySources);
-  name(at, "putRight", move.putRight, mistakeNames);
+  at.names("putRight", move.putRight, mistakeNames);
   name(at, "shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
   optional(at, "segments", move.segments, limits::boxSegments.level);
-  name(at, "mirrorKind", move.mirrorKind, namesOf(shapeNames()));
+  name(at, "mirrorKind", move.mirrorKind, namesIn(shapeNames()));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);
@@ -117,9 +144,25 @@ static void fields(FieldReader& at, StepMove& move) {
 }
 
 static void fields(FieldReader& at, StepShow& show) {
-  name(at, "tab", show.tab, namesOf(stepTabs));
+  name(at, "tab", show.tab, namesIn(stepTabs));
   at.field("widget", show.widget);
   if (at.has("play")) at.object("play", show.play.emplace());
+}
+
+static void fields(FieldReader& at, StepAnswer& answer) {
+  at.need({"text", "reply"});
+  at.field("text", answer.text);
+  at.field("reply", answer.reply);
+  at.field("right", answer.right);
+}
+
+static void fields(FieldReader& at, StepQuestion& question) {
+  at.need({"text", "answers"});
+  at.field("text", question.text);
+  at.list("answers", question.answers, limits::mostAnswers);
+  const auto right = std::count_if(question.answers.begin(), question.answers.end(),
+                                   [](const StepAnswer& answer) { return answer.right; });
+  at.expect(right == 1, "answers", "answers of which one is right");
 }
 
 static void fields(FieldReader& at, LessonStep& step) {
@@ -130,10 +173,13 @@ static void fields(FieldReader& at, LessonStep& step) {
   at.field("why", step.why);
   at.field("do", step.task);
   at.field("notice", step.notice);
-  name(at, "figure", step.figure, namesOf(stepFigures));
+  name(at, "figure", step.figure, namesIn(stepFigures));
   at.field("optional", step.optional);
   at.list("done", step.done, limits::mostConditions);
   at.object("show", step.show);
+  if (at.has("ask")) at.object("ask", step.question.emplace());
+  at.object("start", step.start);
+  at.expect(canBegin(step.start), "start", "a move without morph, wipe, shape and undo");
 }
 
 static void fields(FieldReader& at, Badge& badge) {
@@ -148,6 +194,31 @@ static void fields(FieldReader& at, Lesson& lesson) {
   at.expect(!lesson.id.empty(), "id", "a name that is not empty");
   at.object("badge", lesson.badge);
   at.list("steps", lesson.steps, limits::mostSteps);
+}
+
+bool isState(StepEvent event) {
+  switch (event) {
+    case StepEvent::changedMirror:
+    case StepEvent::toleranceOff:
+    case StepEvent::toleranceOn:
+    case StepEvent::viewed:
+    case StepEvent::raysOf:
+    case StepEvent::wireframe:
+    case StepEvent::matchAbove:
+    case StepEvent::matchBelow:
+    case StepEvent::hiddenShareAbove:
+    case StepEvent::hiddenShareBelow:
+    case StepEvent::putRight:
+    case StepEvent::eyeAbove:
+    case StepEvent::eyeAway:
+    case StepEvent::keptEye:
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+    case StepEvent::verticesBelow:
+      return true;
+    default:
+      return false;
+  }
 }
 
 Lesson parseLesson(std::string_view json, const std::string& fileName) {
