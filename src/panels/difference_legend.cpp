@@ -34,8 +34,8 @@ void drawEntry(const DifferenceColor& entry) {
 DifferenceLegend::DifferenceLegend(bool reflects, float width) {
   std::vector<DifferenceColor> entries{
       {palette::grey, "Both"},
-      {palette::onlyOriginal, "Only the original"},
-      {palette::onlyReflection, reflects ? "Only the reflection" : "Only the sculpture"},
+      {palette::onlyOriginal, "Only original"},
+      {palette::onlyReflection, reflects ? "Only reflection" : "Only sculpture"},
       {palette::hiddenReflection, "Hidden"}};
   if (reflects) entries.push_back({palette::noMirror, "No mirror"});
   float used = width;

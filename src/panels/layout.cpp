@@ -7,7 +7,7 @@ namespace {
 
 constexpr float menuHeight = 30, statusHeight = 26;
 constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 160, smallestLesson = 250;
-constexpr float foldedLevels = 38;
+constexpr float foldedLevels = 44;
 constexpr float roomyLesson = 640;  // has any step's texts, its figure and what there is to notice
 
 // Side panels give way before they go: each gives its share of what the view lacks.

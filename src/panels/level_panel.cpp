@@ -77,7 +77,7 @@ void drawHeading(UiState& ui) {
 }  // namespace
 
 void drawLevelPanel(Editor& editor, UiState& ui) {
-  if (!beginPanel("levels", ui.layout.left)) return;
+  if (!beginPanel("levels", ui.layout.left, true, !ui.layout.levelsFolded)) return;
   drawHeading(ui);
   if (ui.layout.levelsFolded) return ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});

@@ -36,10 +36,11 @@ bool deformationRows(SculptureSettings& sculpture) {
   return changed;
 }
 
-// Each is right when its box is ticked. Folded where a level opens without mistakes to find.
+// Each is right when its box is ticked. Folded where a level has no mistakes to find.
 bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
   ImGui::PushID(editor.session.generation());
-  const bool open = section(ui, "Formulas", mistakes.any());
+  const bool open =
+      section(ui, "Formulas", mistakes.any() || editor.session.saved().sculpture.mistakes.any());
   ImGui::PopID();
   if (!open) return false;
   const auto row = [](const char* name, bool& mistake, const char* help) {
