@@ -455,7 +455,7 @@ TEST_F(LessonRunTest, EveryPartOfAMove) {
   EXPECT_EQ(level.sculpture.tolerancePixels, 0);
   EXPECT_TRUE(std::holds_alternative<PawnShape>(level.original.shape));
   EXPECT_EQ(editor.pose.eye, Point(9, -9, 9));
-  EXPECT_TRUE(editor.point);
+  EXPECT_FALSE(editor.point) << "the pixel, which comes last, is alone";
   EXPECT_EQ(editor.cell, (GridCell{2, 5}));
   EXPECT_EQ(editor.preview.tab, PreviewTab::wipe);
   EXPECT_EQ(editor.rays.source, RaySource::pixels);

@@ -49,10 +49,11 @@ std::string alphanumeric(std::string text) {
 }
 
 // Whether a step waits for something that is only known when everything has been computed.
-bool needsMatch(const LessonStep& step) {
+bool needsResult(const LessonStep& step) {
   return std::any_of(step.done.begin(), step.done.end(), [](const StepCondition& condition) {
     return condition.when == StepEvent::matchAbove || condition.when == StepEvent::matchBelow ||
-           condition.when == StepEvent::hiddenShareAbove || condition.when == StepEvent::hiddenShareBelow;
+           condition.when == StepEvent::hiddenShareAbove || condition.when == StepEvent::hiddenShareBelow ||
+           condition.when == StepEvent::verticesBelow;
   });
 }
 
@@ -61,7 +62,7 @@ void rest(Editor& editor, const LessonStep& step) {
   do {
     advance(editor, 0.05);
   } while (editor.flight || editor.lesson.play);
-  if (needsMatch(step)) editor.updater.finish(editor.session, {editor.preview.size, false});
+  if (needsResult(step)) editor.updater.finish(editor.session, {editor.preview.size, false});
   advance(editor, 0.01);
 }
 

@@ -124,14 +124,15 @@ INSTANTIATE_TEST_SUITE_P(
                   "/lesson/steps/0/show/play/eye: expected an array of 3 numbers, got [1, 2]"},
         BadLesson{"NoRightAnswer",
                   lessonWith(R"(, "ask": {"text": "Q", "answers": [{"text": "A", "reply": "R"}]})"),
-                  "/lesson/steps/0/ask/answers: expected answers of which one is right, got an array"},
+                  "/lesson/steps/0/ask/answers: expected answers of which one is right, "
+                  "got [{\"text\": \"A\", \"reply\": \"R\"}]"},
         BadLesson{
             "StartsByUndoing", lessonWith(R"(, "start": {"undo": true})"),
             "/lesson/steps/0/start: expected a move without morph, wipe, shape and undo, got an object"},
         BadLesson{
             "PutsRightNothingKnown", lessonWith("", "[]", R"({"play": {"putRight": ["normal", "cat"]}})"),
             "/lesson/steps/0/show/play/putRight: expected \"direction\", \"distance\" or \"normal\", or "
-            "an array of some of them, got an array"},
+            "an array of some of them, got [\"normal\", \"cat\"]"},
         BadLesson{"SameIdTwice",
                   R"({"id": "l", "steps": [{"id": "s", "title": "", "why": "", "do": ""},
                                            {"id": "s", "title": "", "why": "", "do": ""}]})",
