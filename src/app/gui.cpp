@@ -259,13 +259,15 @@ void Gui::beginFrame(double seconds) {
 }
 
 void Gui::advanceAll(double seconds) {
+  const double before = editor_->animationSeconds;
   times_.advance = timed([&] { advance(*editor_, seconds); });
   rays_.emplace(*editor_);
   stepRays(*editor_, *rays_);
   const double length = rays_->animationSeconds(editor_->rays);
   if (editor_->rays.animate && !editor_->rays.loop && editor_->animationSeconds > length) {
-    editor_->animationSeconds = length;
-    editor_->animationPaused = true;
+    const bool goesOn = before >= length;  // from the end, where it was paused
+    editor_->animationSeconds = goesOn ? 0 : length;
+    editor_->animationPaused = !goesOn;
   }
   renderJob_->update(editor_->updater.result(), ui_);
   exportJob_->update(*editor_, ui_);

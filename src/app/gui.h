@@ -60,8 +60,8 @@ class Gui {
 
   /// Whether the next frame would differ without any input.
   bool unfinished() const;
-  /// Whether a clock of the panels runs: the tour's, or that of what "show me" points at.
-  bool isPlaying() const { return ui_.tour.goesOn() || ui_.highlight.seconds > 0; }
+  /// Whether a clock of the panels runs: that of what a lesson's step points at.
+  bool isPlaying() const { return ui_.highlight.seconds > 0; }
   /// A key went down (`repeated`: is held down); ignored while text is typed, unless a dialog is open.
   void key(int key, int modifiers, bool repeated = false);
   /// Files were dropped on the window.

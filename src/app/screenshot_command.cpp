@@ -31,7 +31,8 @@ namespace {
 struct ScreenshotOptions {
   std::string level, model, output, theme = "dark", language = "en", select, pixel, tab, modelUp;
   std::pair<int, int> size{1280, 800};
-  double uiScale = 1, morph = 1;
+  double uiScale = 1;
+  std::optional<double> morph;
   std::optional<std::size_t> step;
   int tour = 0;
   bool present = false, help = false, exporting = false, progress = false, showMe = false;
@@ -55,7 +56,7 @@ void pickVertex(Editor& editor, std::uint32_t vertex) {
   const LevelResult& result = editor.updater.result();
   if (!result.original.mesh) return;
   const Mesh& mesh = *result.original.mesh;
-  editor.point = pickedVertex(mesh, vertex);
+  pickPoint(editor, pickedVertex(mesh, vertex));
   if (!editor.point) {
     throw UsageError(fmt::format("--select-vertex: expected one of the original's vertices, 0 to {}, got {}",
                                  mesh.positions.size() - 1, vertex));
@@ -68,15 +69,15 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
                                                  {"original", Part::original},
                                                  {"mirror", Part::mirror},
                                                  {"sculpture", Part::sculpture}};
+  advanceLesson(editor);
+  if (options.step > 0) openStep(editor, options.step - 1);
   if (!options.select.empty()) editor.selection = {parts.at(options.select), 0};
   const auto tab = std::find(previewTabs.begin(), previewTabs.end(), options.tab);
   if (tab != previewTabs.end()) editor.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
-  if (!options.pixel.empty()) editor.cell = parseCell(options.pixel, editor.session.level().grid);
-  editor.display.morph = options.morph;
+  if (!options.pixel.empty()) pickCell(editor, parseCell(options.pixel, editor.session.level().grid));
+  if (options.morph) editor.display.morph = *options.morph;
   ui.panelsHidden = options.noPanels;
   if (options.lookThrough) toggleLookThrough(editor);
-  advanceLesson(editor);
-  if (options.step) openStep(editor, *options.step - 1);
   if (options.present) perform(Action::present, editor, ui);
   if (options.help) perform(Action::help, editor, ui);
   if (options.exporting) perform(Action::exportFiles, editor, ui);
@@ -140,7 +141,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   arrange(gui.editor(), gui.ui(), options);
   headless.settle();
   if (options.showMe) {
-    showStep(gui.editor(), gui.ui());
+    doStep(gui.editor(), gui.ui());
     headless.settle();
   }
   if (options.vertex) {
@@ -189,12 +190,13 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
       ->check(CLI::IsMember(std::vector<std::string>(previewTabs.begin(), previewTabs.end())));
   addStepOption(*command, options->step, "The step of the lesson that is open, from 1 on");
-  command->add_flag("--show-me", options->showMe, "After the move that the step shows");
+  command->add_flag("--show-me", options->showMe, "After the move that Do it makes of the step");
   command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
   command->add_flag("--help-window", options->help, "With the help window");
   command->add_flag("--export-window", options->exporting, "With the export window");
   command->add_flag("--progress-window", options->progress, "With points and badges");
-  command->add_option("--tour", options->tour, "With a card of the tour, 1 to 5")->check(numberIn({1, 5}));
+  command->add_option("--tour", options->tour, fmt::format("With a card of the tour, 1 to {}", tourCards))
+      ->check(numberIn({1, tourCards}));
   command->add_option("--morph", options->morph, "0: the original, 1: the sculpture, between: on the way")
       ->check(numberIn(limits::fractions));
   addModelUpOption(*command, options->modelUp);

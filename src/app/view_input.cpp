@@ -89,8 +89,9 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
   if (display.alone != ShownAlone::nothing) return lines;
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
-  if (const auto& construction = currentConstruction(editor))
-    append(lines, makeConstructionLines(*construction));
+  for (const auto* construction : {&currentConstruction(editor), &earlierConstruction(editor)}) {
+    if (*construction) append(lines, makeConstructionLines(**construction));
+  }
   return lines;
 }
 

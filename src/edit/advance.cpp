@@ -17,7 +17,9 @@ void dropStaleSelection(Editor& editor) {
       editor.cell && editor.cell->column < level.grid.columns && editor.cell->row < level.grid.rows;
   if (!inGrid) editor.cell.reset();
   const auto& original = editor.updater.result().original.mesh;
-  if (editor.point && original && !isOn(*original, *editor.point)) editor.point.reset();
+  for (auto* point : {&editor.point, &editor.earlierPoint}) {
+    if (*point && original && !isOn(*original, **point)) point->reset();
+  }
 }
 
 bool advanceView(Editor& editor, double seconds) {

@@ -133,7 +133,7 @@ void addSightRows(Construction& made, double depthScale) {
                {"Q  on the canvas", pointText(ray.legs.back().start)},
                {"d = |PQ|", fmt::format("{:.3f}", ray.distance)},
                {"k  depth scale", fmt::format("{:.3f}", depthScale)}};
-  if (ray.mapped()) made.rows.push_back({"S = Q + k (P - Q)", pointText(ray.sculpture)});
+  if (ray.mapped()) made.rows.push_back({"S = Q + k (P − Q)", pointText(ray.sculpture)});
 }
 
 void addRows(Construction& made, double depthScale) {

@@ -31,6 +31,15 @@ class Leaving {
   Level level_;
 };
 
+const std::optional<Construction>& constructionOf(const std::optional<PickedPoint>& point,
+                                                  const LevelResult& result, ConstructionStage& stage) {
+  static const std::optional<Construction> none;
+  if (!point || !result.source || !isOn(*result.source, *point)) return none;
+  const VertexMap map = makeVertexMap(result.level);
+  if (findProblem(map.optic)) return none;
+  return stage.at(map, pointOn(*result.source, *point));
+}
+
 }  // namespace
 
 void openLevel(Editor& editor, const std::filesystem::path& path) {
@@ -66,12 +75,30 @@ void lookAfresh(Editor& editor) {
   editor.lookingThrough = false;
   editor.returnPose.reset();
   editor.selection = {};
-  editor.point.reset();
-  editor.cell.reset();
+  pickPoint(editor, {});
   editor.preview.tab = PreviewTab::reflection;  // the first look; and lessons wait for the others
   editor.display.morph = 1;
   editor.display.mirror = true;
   editor.display.alone = ShownAlone::nothing;
+  restRays(editor);
+}
+
+void restRays(Editor& editor) {
+  editor.rays.animate = editor.rays.sequential = editor.animationPaused = false;
+  editor.animationSeconds = 0;
+  editor.rayStep = 0;
+}
+
+void pickPoint(Editor& editor, const std::optional<PickedPoint>& point) {
+  editor.cell.reset();
+  if (point == editor.point) return;
+  editor.earlierPoint = point ? editor.point : std::nullopt;
+  editor.point = point;
+}
+
+void pickCell(Editor& editor, const std::optional<GridCell>& cell) {
+  if (cell) pickPoint(editor, {});
+  editor.cell = cell;
   editor.animationSeconds = 0;
 }
 
@@ -129,13 +156,11 @@ Box boxOf(const Editor& editor, const Selection& selection) {
 }
 
 const std::optional<Construction>& currentConstruction(Editor& editor) {
-  static const std::optional<Construction> none;
-  const LevelResult& result = editor.updater.result();
-  if (!editor.point || !result.source) return none;
-  if (!isOn(*result.source, *editor.point)) return none;
-  const VertexMap map = makeVertexMap(result.level);
-  if (findProblem(map.optic)) return none;
-  return editor.construction.at(map, pointOn(*result.source, *editor.point));
+  return constructionOf(editor.point, editor.updater.result(), editor.construction);
+}
+
+const std::optional<Construction>& earlierConstruction(Editor& editor) {
+  return constructionOf(editor.earlierPoint, editor.updater.result(), editor.earlierConstruction);
 }
 
 bool canToggleFrozen(const Editor& editor) {

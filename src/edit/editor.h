@@ -51,8 +51,9 @@ struct Editor {
   PreviewSettings preview;
 
   Selection selection;
-  std::optional<PickedPoint> point;  ///< whose vertex ray is shown
-  std::optional<GridCell> cell;      ///< whose ray tree alone is shown
+  std::optional<PickedPoint> point;         ///< whose vertex ray is shown
+  std::optional<PickedPoint> earlierPoint;  ///< that was picked before it: its ray is shown beside it
+  std::optional<GridCell> cell;             ///< whose ray tree alone is shown
   GizmoMode gizmoMode = GizmoMode::move;
   bool gizmoLocal = false;
 
@@ -71,7 +72,7 @@ struct Editor {
   std::map<std::filesystem::path, Level> leftLevels;
 
   MorphStage morph;
-  ConstructionStage construction;
+  ConstructionStage construction, earlierConstruction;
 
   LessonRun lesson;
   LessonProgress progress;
@@ -91,6 +92,15 @@ void openNewLevel(Editor& editor);
 
 /// Looks at the session's level as at one that has just been opened.
 void lookAfresh(Editor& editor);
+
+/// No ray is animated or paused any more: that belongs to a level, and to a step of its lesson.
+void restRays(Editor& editor);
+
+/// Shows the vertex ray of this point, and that of the point before it; none: of no point any more. Lets go of the
+/// pixel.
+void pickPoint(Editor& editor, const std::optional<PickedPoint>& point);
+/// Shows the rays of this cell alone, from their start, and lets go of the vertices; none: the rays of all cells.
+void pickCell(Editor& editor, const std::optional<GridCell>& cell);
 
 /// Whether something moves by itself, so that the next frame should come soon.
 bool isMoving(const Editor& editor);
@@ -117,6 +127,8 @@ Box boxOf(const Editor& editor, const Selection& selection);
 /// nothing is there yet.
 const std::optional<Construction>& currentConstruction(Editor& editor);
 
+/// The same of the point that was picked before it.
+const std::optional<Construction>& earlierConstruction(Editor& editor);
 /// Whether there is a sculpture to be frozen, or one that is.
 bool canToggleFrozen(const Editor& editor);
 /// Freezes the sculpture (level/freeze.h), or lets it follow again: one step of the history.

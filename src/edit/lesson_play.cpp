@@ -1,52 +1,12 @@
-// "Show me": the move of a step, made before the student's eyes.
+// "Do it": the move of a step, made before the student's eyes.
 
 #include <algorithm>
-#include <utility>
-#include <variant>
 
-#include "edit/editor.h"
+#include "edit/lesson_move.h"
 #include "edit/lesson_run.h"
-#include "edit/level_edits.h"
-#include "edit/replacements.h"
-#include "level/freeze.h"
-#include "level/level_fields.h"
 
 namespace anamorph {
 namespace {
-
-// The number of a name in one of the lists of level_fields.h.
-template <typename Names>
-std::size_t numberOf(const Names& names, const std::string& name) {
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-void putRight(Mistakes& mistakes, const std::string& which) {
-  if (which == "direction") mistakes.direction = false;
-  if (which == "distance") mistakes.distance = false;
-  if (which == "normal") mistakes.normal = false;
-}
-
-// Slow at both ends.
-double eased(double t) {
-  return t * t * (3 - 2 * t);
-}
-
-// The level so far into the move, 0..1.
-Level levelAt(const StepMove& move, const Level& from, double fraction) {
-  Level level = from;
-  const auto towards = [&](auto& value, const auto& goal) {
-    if (goal) value = fraction >= 1 ? *goal : glm::mix(value, *goal, eased(fraction));
-  };
-  towards(level.camera.eye, move.eye);
-  towards(level.original.placement.position, move.original);
-  towards(level.sculpture.depthScale, move.depthScale);
-  towards(level.camera.fovDegrees, move.fovDegrees);
-  if (move.mirror) {
-    const Vector way = *move.mirror - middleOf(from.optic.shape());
-    level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
-  }
-  return level;
-}
 
 // To the place in the morph, and from there to the sculpture again.
 double morphAt(const StepPlay& play, double fraction) {
@@ -61,54 +21,12 @@ double durationOf(const StepPlay& play) {
   return play.move.morph.value_or(1) < 1 ? 2 * StepPlay::duration : StepPlay::duration;
 }
 
-// What cannot be half done is done at once.
-Level begun(const StepMove& move, const Editor& editor) {
-  Level level = editor.session.level();
-  if (!move.shape.empty()) {
-    level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), originalBox(editor));
-  }
-  if (!move.mirrorKind.empty()) {
-    level.optic.shape() =
-        mirrorOfKind(numberOf(shapeNames(), move.mirrorKind), level.optic.shape(), level.camera.eye);
-  }
-  if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
-  if (auto* box = std::get_if<BoxShape>(&level.original.shape); box && move.segments) {
-    box->segments = *move.segments;
-  }
-  putRight(level.sculpture.mistakes, move.putRight);
-  if (!move.freeze) return level;
-  level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
-  return frozen(std::move(level));
-}
-
-void playView(Editor& editor, const StepMove& move) {
-  if (move.viewEye || move.viewTarget) {
-    ViewPose pose = editor.pose;
-    pose.eye = move.viewEye.value_or(pose.eye);
-    pose.target = move.viewTarget.value_or(pose.target);
-    pose.up = {0, 0, 1};
-    flyTo(editor, pose);
-  }
-  if (move.lookThrough && !editor.lookingThrough) toggleLookThrough(editor);
-  if (!move.preview.empty()) {
-    editor.preview.tab = static_cast<PreviewTab>(numberOf(previewTabs, move.preview));
-  }
-  if (!move.rays.empty()) {
-    editor.rays.show = true;
-    editor.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;
-  }
-  if (move.animate) {
-    editor.rays.show = editor.rays.animate = true;
-    editor.animationPaused = false;
-    editor.animationSeconds = 0;
-  }
-  if (move.wireframe) editor.display.wireframe = true;
-  if (move.vertex && editor.updater.result().original.mesh) {
-    editor.point =
-        pickedVertex(*editor.updater.result().original.mesh, static_cast<std::uint32_t>(*move.vertex));
-  }
-  if (move.pixel) editor.cell = GridCell{(*move.pixel)[0], (*move.pixel)[1]};
-  if (move.undo) editor.session.undo();
+void answerRight(Editor& editor) {
+  const auto& question = editor.lesson.open().question;
+  if (!question) return;
+  const auto right = std::find_if(question->answers.begin(), question->answers.end(),
+                                  [](const StepAnswer& answer) { return answer.right; });
+  answerStep(editor, static_cast<std::size_t>(right - question->answers.begin()));
 }
 
 }  // namespace
@@ -117,10 +35,13 @@ void playStep(Editor& editor) {
   LessonRun& run = editor.lesson;
   if (run.empty() || !run.open().show.play) return;
   finishPlay(editor);
+  answerRight(editor);
   editor.session.finishChange();
-  playView(editor, *run.open().show.play);
-  run.play = StepPlay{*run.open().show.play, begun(*run.open().show.play, editor), editor.session.level(),
-                      editor.display.morph, 0};
+  const StepMove& move = *run.open().show.play;
+  moveView(editor, move);
+  const Level& level = editor.session.level();
+  run.play = StepPlay{
+      move, begun(move, level, originalBox(editor)), level, editor.display.morph, editor.preview.wipe, 0};
 }
 
 bool advancePlay(Editor& editor, double seconds) {
@@ -137,6 +58,7 @@ bool advancePlay(Editor& editor, double seconds) {
   if (!(level == play->last)) editor.session.change(level);
   play->last = std::move(level);
   if (play->move.morph) editor.display.morph = morphAt(*play, fraction);
+  if (play->move.wipe) editor.preview.wipe = glm::mix(play->wipeFrom, *play->move.wipe, eased(fraction));
   if (fraction >= 1) {
     editor.session.finishChange();
     play.reset();

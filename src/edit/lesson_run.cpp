@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "level/lesson.h"
+#include "base/language.h"
+#include "edit/lesson_start.h"
 
 namespace anamorph {
 namespace {
 
 constexpr double turnedDegrees = 10;
+constexpr double wipedShare = 0.1;  // of the picture's width
 
 LessonFacts factsOf(const Editor& editor) {
-  return {editor.session.level(),     editor.pose,    editor.point, editor.cell,
-          editor.session.undoCount(), editor.exported};
+  return {editor.session.level(), editor.flight ? editor.flight->goal : editor.pose,
+          editor.point,           editor.cell,
+          editor.preview.wipe,    editor.session.undoCount(),
+          editor.exported};
 }
 
 bool hasTurned(const ViewPose& from, const ViewPose& to) {
@@ -30,6 +34,21 @@ bool showsRaysOf(const Editor& editor, const std::string& source) {
   return (editor.rays.source == RaySource::pixels) == (source == "pixels");
 }
 
+// Two ends of the original, for all that a mouse can tell.
+bool areEndsPicked(const Editor& editor) {
+  const auto& mesh = editor.updater.result().original.mesh;
+  if (!mesh || !editor.point || !editor.earlierPoint) return false;
+  if (!isOn(*mesh, *editor.point) || !isOn(*mesh, *editor.earlierPoint)) return false;
+  const Vector size = originalBox(editor).size();
+  return glm::length(pointOn(*mesh, *editor.point) - pointOn(*mesh, *editor.earlierPoint)) >
+         0.5 * std::max({size.x, size.y, size.z});
+}
+
+bool hasFewerVertices(const Editor& editor, double count) {
+  const auto& mesh = editor.updater.result().original.mesh;
+  return mesh && static_cast<double>(mesh->positions.size()) < count;
+}
+
 bool isRight(const Mistakes& mistakes, const std::string& which) {
   if (which == "direction") return !mistakes.direction;
   return which == "distance" ? !mistakes.distance : !mistakes.normal;
@@ -45,14 +64,24 @@ std::optional<bool> judged(const Editor& editor, const Test& test) {
   return test(result.match->report);
 }
 
-void beginStep(Editor& editor) {
+// How a step was come to: by going on from the one before it, or in its own start.
+enum class Arrival { onward, afresh };
+
+void beginStep(Editor& editor, Arrival arrival) {
   LessonRun& run = editor.lesson;
+  restRays(editor);
   run.begin = factsOf(editor);
-  const std::size_t count = run.empty() ? 0 : run.open().done.size();
-  run.wasFalse.assign(count, false);
-  run.seen.assign(count, false);
-  run.doneNow = false;
-  run.done = !run.empty() && isDone(run.lesson, run.open(), editor.progress);
+  run.wasFalse.clear();
+  run.seen.clear();
+  run.answer.reset();
+  run.doneNow = run.done = false;
+  if (run.empty()) return;
+  const bool brought = arrival == Arrival::onward && !isStartMissed(run);
+  for (const StepCondition& condition : run.open().done) {
+    run.wasFalse.push_back(condition.when == StepEvent::keptEye || (brought && isState(condition.when)));
+  }
+  run.seen.assign(run.wasFalse.size(), false);
+  run.done = isDone(run.lesson, run.open(), editor.progress);
 }
 
 // The first step that has not been done yet; the first of all when all have.
@@ -65,12 +94,18 @@ std::size_t whereToGoOn(const Lesson& lesson, const LessonProgress& progress) {
 
 void takeUpLesson(Editor& editor) {
   LessonRun& run = editor.lesson;
+  const Session& session = editor.session;
+  const bool opened = run.generation != session.generation();
   run = {};
-  run.generation = editor.session.generation();
-  run.text = editor.session.level().text->lesson;
-  run.lesson = parseLesson(editor.session.level().text->lesson, editor.session.path().string());
+  run.generation = session.generation();
+  run.text = session.level().text->lesson;
+  run.base = session.saved().text->lesson == run.text ? session.saved() : session.level();
+  run.lesson = parseLesson(run.text, session.path().string());
   run.step = whereToGoOn(run.lesson, editor.progress);
-  beginStep(editor);
+  // Not into what was left changed, rescued or pasted; and a level that was just opened is looked at afresh already.
+  if (opened && !session.modified() && !run.empty() && !(run.open().start == StepMove{}))
+    restoreStart(editor);
+  beginStep(editor, Arrival::afresh);
 }
 
 void markDone(Editor& editor) {
@@ -138,6 +173,22 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
       return editor.exported != begin.exported;
     case StepEvent::frozen:
       return level.sculpture.frozen.has_value();
+    case StepEvent::eyeAbove:
+      return rests && level.camera.eye.z > condition.value;
+    case StepEvent::eyeAway:
+      return rests && glm::length(level.camera.eye - middleOf(level.optic.shape())) > condition.value;
+    case StepEvent::keptEye:
+      return level.camera.eye == begin.level.camera.eye;
+    case StepEvent::depthScaleAbove:
+      return rests && level.sculpture.depthScale > condition.value;
+    case StepEvent::depthScaleBelow:
+      return rests && level.sculpture.depthScale < condition.value;
+    case StepEvent::verticesBelow:
+      return rests && hasFewerVertices(editor, condition.value);
+    case StepEvent::pickedEnds:
+      return areEndsPicked(editor);
+    case StepEvent::wiped:
+      return previewIs(editor, "wipe") && std::abs(editor.preview.wipe - begin.wipe) > wipedShare;
   }
   return false;
 }
@@ -148,14 +199,15 @@ bool advanceLesson(Editor& editor) {
     takeUpLesson(editor);
     return true;
   }
-  if (run.empty() || run.doneNow || run.open().done.empty()) return false;
+  if (run.empty() || run.doneNow || isOnlyRead(run.open())) return false;
   const auto& conditions = run.open().done;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const std::optional<bool> now = holds(conditions[i], run.begin, editor);
-    if (!now) continue;
-    if (*now && run.wasFalse[i]) run.seen[i] = true;
-    if (!*now) run.wasFalse[i] = true;
+    const bool counts = now.value_or(false) && run.wasFalse[i];
+    run.seen[i] = counts || (run.seen[i] && !isState(conditions[i].when));
+    if (now && !*now) run.wasFalse[i] = true;
   }
+  if (!isAnswered(run)) return false;
   if (!std::all_of(run.seen.begin(), run.seen.end(), [](bool seen) { return seen; })) return false;
   markDone(editor);
   return true;
@@ -166,18 +218,30 @@ void openStep(Editor& editor, std::size_t step) {
   if (run.empty()) return;
   finishPlay(editor);
   run.step = std::min(step, run.lesson.steps.size() - 1);
-  beginStep(editor);
+  const Level before = editor.session.level();
+  restoreStart(editor);
+  if (!(editor.session.level() == before)) editor.message = tr("As this step begins. Ctrl+Z: as it was.");
+  beginStep(editor, Arrival::afresh);
 }
 
 void nextStep(Editor& editor) {
   LessonRun& run = editor.lesson;
   if (run.empty()) return;
-  if (run.open().done.empty()) markDone(editor);
-  if (run.step + 1 < run.lesson.steps.size()) openStep(editor, run.step + 1);
+  if (isOnlyRead(run.open())) markDone(editor);
+  if (run.step + 1 == run.lesson.steps.size()) return;
+  finishPlay(editor);
+  ++run.step;
+  beginStep(editor, Arrival::onward);
 }
 
 void previousStep(Editor& editor) {
   if (editor.lesson.step > 0) openStep(editor, editor.lesson.step - 1);
+}
+
+void answerStep(Editor& editor, std::size_t answer) {
+  LessonRun& run = editor.lesson;
+  if (run.empty() || !run.open().question || answer >= run.open().question->answers.size()) return;
+  run.answer = answer;
 }
 
 }  // namespace anamorph

@@ -1,9 +1,12 @@
 // A lesson being worked through: which step is open, what of its conditions has been observed, and the move
-// that "show me" makes. Nothing reports to the lesson: every frame it looks at the editor and compares it
+// that "do it" makes. Nothing reports to the lesson: every frame it looks at the editor and compares it
 // with what was there when the step was opened.
 //
 //   openStep()  ---------------- frames ---------------->  done
 //   facts then      facts now: holds(condition, then, now)?
+//
+// Going on keeps the level as the student has made it; every other way to a step makes it what the step begins with
+// (lesson_start.h).
 #pragma once
 
 #include <cstddef>
@@ -22,14 +25,17 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
 /// whether something that is shown changed.
 bool advanceLesson(Editor& editor);
 
-/// Opens a step; further than the last is the last.
+/// Opens a step, with the level and the view that it begins with; further than the last is the last. What the level
+/// was is one step back in the history.
 void openStep(Editor& editor, std::size_t step);
-/// To the next step; one that is only read is done by it.
+/// To the next step, with the level as it is; a step that is only read is done by it.
 void nextStep(Editor& editor);
 void previousStep(Editor& editor);
+/// Answers the open step's question; another number than one of its answers does nothing.
+void answerStep(Editor& editor, std::size_t answer);
 
-/// Begins the open step's move, which takes a second or two; nothing when it has none. The level's part of it
-/// is one step of the history.
+/// Answers the open step's question and begins its move, which takes a second or two; nothing when it has none. The
+/// level's part of it is one step of the history.
 void playStep(Editor& editor);
 /// The move to its end at once.
 void finishPlay(Editor& editor);

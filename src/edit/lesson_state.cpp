@@ -24,6 +24,15 @@ LessonScore scoreOf(const Lesson& lesson, const LessonProgress& progress) {
   return score;
 }
 
+bool isOnlyRead(const LessonStep& step) {
+  return step.done.empty() && !step.question;
+}
+
+bool isAnswered(const LessonRun& run) {
+  const auto& question = run.open().question;
+  return !question || (run.answer && question->answers.at(*run.answer).right);
+}
+
 bool isDone(const Lesson& lesson, const LessonStep& step, const LessonProgress& progress) {
   const auto found = progress.find(lesson.id);
   return found != progress.end() && found->second.count(step.id) > 0;

@@ -19,9 +19,10 @@ namespace anamorph {
 /// What the conditions look at.
 struct LessonFacts {
   Level level;
-  ViewPose pose;
+  ViewPose pose;  ///< at the end of a flight that goes on
   std::optional<PickedPoint> point;
   std::optional<GridCell> cell;
+  double wipe = 0.5;
   int undone = 0, exported = 0;  ///< how often
 };
 
@@ -32,7 +33,7 @@ using LessonProgress = std::map<std::string, std::set<std::string>>;
 struct StepPlay {
   StepMove move;
   Level from, last;  ///< before it, and as it left it in the last frame
-  double morphFrom = 1;
+  double morphFrom = 1, wipeFrom = 0.5;
   double seconds = 0;
   static constexpr double duration = 1.4;
 };
@@ -43,12 +44,14 @@ struct LessonRun {
   bool done = false;     ///< the open step, now or at some time before
   bool doneNow = false;  ///< since it was opened
   LessonFacts begin;     ///< when it was opened
-  /// Of the step's conditions: each has to become true while the step is open, so one that already holds
-  /// has to be seen false first.
+  /// Of the step's conditions: each has to become true while the step is open, so one that already holds has to be
+  /// seen false first; but not a state that the student brought along from the step before.
   std::vector<bool> wasFalse, seen;
+  std::optional<std::size_t> answer;  ///< that was given last to the step's question
+  Level base;                    ///< that the steps' starts are made of: as it is in its file, or was pasted
   int generation = 0;            ///< of the session that the lesson is of
   std::string text;              ///< of the lesson in the level, which may be pasted or undone
-  std::optional<StepPlay> play;  ///< "show me" at work
+  std::optional<StepPlay> play;  ///< "do it" at work
 
   bool empty() const { return lesson.steps.empty(); }
   const LessonStep& open() const { return lesson.steps[step]; }
@@ -61,6 +64,10 @@ struct LessonScore {
   bool badge = false;  ///< all steps that are not optional are done
 };
 LessonScore scoreOf(const Lesson& lesson, const LessonProgress& progress);
+/// Whether a step is done by reading it: it waits for nothing and asks nothing.
+bool isOnlyRead(const LessonStep& step);
+/// Whether there is nothing to answer in the open step, or it was answered right.
+bool isAnswered(const LessonRun& run);
 bool isDone(const Lesson& lesson, const LessonStep& step, const LessonProgress& progress);
 
 }  // namespace anamorph

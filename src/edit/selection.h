@@ -5,8 +5,8 @@ namespace anamorph {
 
 enum class Part {
   none,
-  eye,        ///< the RT camera's place
-  aim,        ///< the point that the RT camera looks at
+  eye,  ///< the RT camera's place
+  aim,  ///< the point that the RT camera looks at
   original,
   mirror,
   sculpture,  ///< its scale is the depth scale

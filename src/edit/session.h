@@ -74,6 +74,8 @@ class Session {
   void finishSave(const SavedLevel& saved, std::optional<FileTime> written);
 
   const Level& level() const { return level_; }
+  /// As it was opened or saved last.
+  const Level& saved() const { return saved_; }
   /// Empty for a new level.
   const std::filesystem::path& path() const { return path_; }
   /// Whether the file is a scene of the thesis, which a level cannot replace.

@@ -137,6 +137,22 @@ void FieldReader::oneOf(const char* key, std::string& value, const std::vector<s
   value = json->text;
 }
 
+void FieldReader::names(const char* key, std::vector<std::string>& values,
+                        const std::vector<std::string>& allowed) {
+  const JsonValue* json = find(key);
+  if (!json) return;
+  const bool many = json->kind == Kind::array;
+  for (const JsonValue& item : many ? json->items : std::vector<JsonValue>{*json}) {
+    const bool known = std::find(allowed.begin(), allowed.end(), item.text) != allowed.end();
+    const bool twice = std::find(values.begin(), values.end(), item.text) != values.end();
+    if (item.kind != Kind::string || !known || twice) {
+      return fail(pathOf(key), inQuotes(allowed) + ", or an array of some of them", *json,
+                  known ? std::string() : didYouMean(item.text, allowed));
+    }
+    values.push_back(item.text);
+  }
+}
+
 void FieldReader::opaque(const char* key, std::string& json, std::size_t most) {
   const JsonValue* value = find(key);
   if (!value) return;

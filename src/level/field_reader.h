@@ -71,6 +71,8 @@ class FieldReader {
   void textOf(const char* key, std::string& json, std::size_t most) {
     opaque(key, json, most);
   }
+  /// A string that is one of `allowed`, or an array of such; each at most once.
+  void names(const char* key, std::vector<std::string>& values, const std::vector<std::string>& allowed);
 
   /// A string that is one of `names`; it chooses the enumerator, or the alternative of the variant, with its
   /// index. The key is needed: a name that is near to one of them is taken for it after the complaint, otherwise

@@ -91,6 +91,10 @@ void FieldSchema::oneOf(const char* key, std::string&, const std::vector<std::st
   add(key, oneOfThese(names));
 }
 
+void FieldSchema::names(const char* key, std::vector<std::string>&, const std::vector<std::string>& allowed) {
+  add(key, anyOf({oneOfThese(allowed), arrayOf(oneOfThese(allowed), 0, allowed.size())}));
+}
+
 JsonValue FieldSchema::finish(const std::vector<std::string>& names) const {
   JsonObject properties;
   for (const auto& [key, schema] : properties_) {

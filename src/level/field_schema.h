@@ -42,6 +42,7 @@ class FieldSchema {
   void numberOrOff(const char* key, double&, Range range);
   void textOrNone(const char* key, std::string&, std::size_t most);
   void oneOf(const char* key, std::string&, const std::vector<std::string>& names);
+  void names(const char* key, std::vector<std::string>&, const std::vector<std::string>& allowed);
   template <typename Part>
   void textOf(const char* key, std::string&, std::size_t) {
     add(key, jsonSchema(Part{}));

@@ -22,7 +22,7 @@ using Names = std::vector<std::string>;
 const Names raySources{"pixels", "vertices"};
 const Names mistakeNames{"direction", "distance", "normal"};
 
-Names namesOf(const auto& list) {
+Names namesIn(const auto& list) {
   return {list.begin(), list.end()};
 }
 
@@ -30,9 +30,9 @@ Names namesOf(const auto& list) {
 Names namesFor(StepEvent event) {
   switch (event) {
     case StepEvent::changedMirror:
-      return namesOf(shapeNames());
+      return namesIn(shapeNames());
     case StepEvent::viewed:
-      return namesOf(previewTabs);
+      return namesIn(previewTabs);
     case StepEvent::raysOf:
       return raySources;
     case StepEvent::putRight:
@@ -42,15 +42,37 @@ Names namesFor(StepEvent event) {
   }
 }
 
-bool takesValue(StepEvent event) {
-  return event == StepEvent::matchAbove || event == StepEvent::matchBelow ||
-         event == StepEvent::hiddenShareAbove || event == StepEvent::hiddenShareBelow;
+// Nothing: the event takes no value.
+std::optional<Range> valuesFor(StepEvent event) {
+  switch (event) {
+    case StepEvent::matchAbove:
+    case StepEvent::matchBelow:
+    case StepEvent::hiddenShareAbove:
+    case StepEvent::hiddenShareBelow:
+      return limits::fractions;
+    case StepEvent::eyeAbove:
+      return limits::coordinates;
+    case StepEvent::eyeAway:
+      return limits::lengths;
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+      return limits::depthScale.level;
+    case StepEvent::verticesBelow:
+      return limits::vertexNumber;
+    default:
+      return std::nullopt;
+  }
 }
 
 void optional(auto& at, const char* key, auto& value, Range range) {
   if (!at.has(key)) return;
   value.emplace();
   at.field(key, *value, range);
+}
+
+// What is made there and back, what another box would change, and what goes by the history begin nothing.
+bool canBegin(const StepMove& start) {
+  return !start.morph && !start.wipe && start.shape.empty() && !start.undo;
 }
 
 void checkIds(const Lesson& lesson, const JsonValue& json, FileRemarks& remarks) {
@@ -71,9 +93,9 @@ void checkIds(const Lesson& lesson, const JsonValue& json, FileRemarks& remarks)
 template <typename At>
 static void fields(At& at, StepCondition& condition) {
   at.choice("when", condition.when, stepEvents);
-  if (takesValue(condition.when)) {
+  if (const auto values = valuesFor(condition.when)) {
     at.need({"value"});
-    at.field("value", condition.value, limits::fractions);
+    at.field("value", condition.value, *values);
   }
   const Names names = namesFor(condition.when);
   if (names.empty()) return;
@@ -93,17 +115,22 @@ static void fields(At& at, StepMove& move) {
   optional(at, "morph", move.morph, limits::fractions);
   optional(at, "viewEye", move.viewEye, limits::coordinates);
   optional(at, "viewTarget", move.viewTarget, limits::coordinates);
+  optional(at, "wipe", move.wipe, limits::fractions);
   optional(at, "vertex", move.vertex, limits::vertexNumber);
+  if (at.has("ends")) {
+    auto& [first, second] = move.ends.emplace();
+    at.pair("ends", first, second, limits::vertexNumber);
+  }
   if (at.has("pixel")) {
     auto& [column, row] = move.pixel.emplace();
     at.pair("pixel", column, row, limits::cellNumber);
   }
-  at.oneOf("preview", move.preview, namesOf(previewTabs));
+  at.oneOf("preview", move.preview, namesIn(previewTabs));
   at.oneOf("rays", move.rays, raySources);
-  at.oneOf("putRight", move.putRight, mistakeNames);
+  at.names("putRight", move.putRight, mistakeNames);
   at.oneOf("shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
   optional(at, "segments", move.segments, limits::boxSegments.level);
-  at.oneOf("mirrorKind", move.mirrorKind, namesOf(shapeNames()));
+  at.oneOf("mirrorKind", move.mirrorKind, namesIn(shapeNames()));
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);
@@ -113,9 +140,27 @@ static void fields(At& at, StepMove& move) {
 
 template <typename At>
 static void fields(At& at, StepShow& show) {
-  at.oneOf("tab", show.tab, namesOf(stepTabs));
+  at.oneOf("tab", show.tab, namesIn(stepTabs));
   at.field("widget", show.widget);
   if (at.has("play")) at.object("play", show.play.emplace());
+}
+
+template <typename At>
+static void fields(At& at, StepAnswer& answer) {
+  at.need({"text", "reply"});
+  at.field("text", answer.text);
+  at.field("reply", answer.reply);
+  at.field("right", answer.right);
+}
+
+template <typename At>
+static void fields(At& at, StepQuestion& question) {
+  at.need({"text", "answers"});
+  at.field("text", question.text);
+  at.list("answers", question.answers, limits::mostAnswers);
+  const auto right = std::count_if(question.answers.begin(), question.answers.end(),
+                                   [](const StepAnswer& answer) { return answer.right; });
+  at.expect(right == 1, "answers", "answers of which one is right");
 }
 
 template <typename At>
@@ -127,10 +172,13 @@ static void fields(At& at, LessonStep& step) {
   at.field("why", step.why);
   at.field("do", step.task);
   at.field("notice", step.notice);
-  at.oneOf("figure", step.figure, namesOf(stepFigures));
+  at.oneOf("figure", step.figure, namesIn(stepFigures));
   at.field("optional", step.optional);
   at.list("done", step.done, limits::mostConditions);
   at.object("show", step.show);
+  if (at.has("ask")) at.object("ask", step.question.emplace());
+  at.object("start", step.start);
+  at.expect(canBegin(step.start), "start", "a move without morph, wipe, shape and undo");
 }
 
 template <typename At>
@@ -147,6 +195,32 @@ static void fields(At& at, Lesson& lesson) {
   at.expect(!lesson.id.empty(), "id", "a name that is not empty");
   at.object("badge", lesson.badge);
   at.list("steps", lesson.steps, limits::mostSteps);
+}
+
+bool isState(StepEvent event) {
+  switch (event) {
+    case StepEvent::changedMirror:
+    case StepEvent::toleranceOff:
+    case StepEvent::toleranceOn:
+    case StepEvent::viewed:
+    case StepEvent::raysOf:
+    case StepEvent::wireframe:
+    case StepEvent::matchAbove:
+    case StepEvent::matchBelow:
+    case StepEvent::hiddenShareAbove:
+    case StepEvent::hiddenShareBelow:
+    case StepEvent::putRight:
+    case StepEvent::eyeAbove:
+    case StepEvent::eyeAway:
+    case StepEvent::keptEye:
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+    case StepEvent::verticesBelow:
+    case StepEvent::frozen:
+      return true;
+    default:
+      return false;
+  }
 }
 
 Lesson readLesson(const JsonValue& json, FileRemarks& remarks) {

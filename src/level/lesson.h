@@ -1,12 +1,12 @@
-// A lesson: the steps that a level leads its student through, as data in the level file. A step says why,
-// what to do and what to notice; it is done when what it waits for has been observed (edit/lesson_run.h), and
-// it can show how: by pointing at a control or a thing, and by making the move itself.
+// A lesson: the steps that a level leads its student through, as data in the level file. A step says how it begins, why,
+// what to do and what to notice; it may ask something first. It is done when what it waits for has been observed
+// (edit/lesson_run.h), and it can show how: by pointing at a control or a thing, and by making the move itself.
 //
 //   "lesson": {
 //     "id": "plane",
 //     "badge": {"title": "...", "text": "..."},
 //     "steps": [{"id": "aside", "title": "...", "why": "...", "do": "...", "notice": "...",
-//                "done": [{"when": "movedEye"}],
+//                "start": {"depthScale": 1}, "done": [{"when": "movedEye"}],
 //                "show": {"tab": "eye", "widget": "Position", "play": {"eye": [3, -11, 6.5]}}}]
 //   }
 //
@@ -26,7 +26,7 @@
 
 namespace anamorph {
 
-/// What a step can wait for. Those with a value or a name say so.
+/// What a step can wait for. Those with a value or a name say so; isState() tells states from events.
 enum class StepEvent {
   movedEye,
   movedOriginal,    ///< or turned, or scaled
@@ -52,17 +52,53 @@ enum class StepEvent {
   putRight,  ///< what: "direction", "distance", "normal"
   undone,
   exported,
-  frozen,  ///< the sculpture
+  eyeAbove,  ///< value: a height, z
+  eyeAway,   ///< value: a distance from the middle of the optic's shape
+  keptEye,   ///< it is where it was when the step began
+  depthScaleAbove,
+  depthScaleBelow,
+  verticesBelow,  ///< value: the original has fewer
+  pickedEnds,     ///< two vertices, farther apart than half the original is long
+  wiped,          ///< the line of the preview's tab was dragged
+  frozen,         ///< the sculpture
 };
-inline constexpr std::array stepEvents{"movedEye",        "movedOriginal",    "movedMirror",
-                                       "changedOriginal", "changedMirror",    "depthScaleChanged",
-                                       "toleranceOff",    "toleranceOn",      "pickedPixel",
-                                       "pickedVertex",    "viewed",           "lookedThrough",
-                                       "rotatedView",     "morphed",          "raysOf",
-                                       "animatedRays",    "wireframe",        "matchAbove",
-                                       "matchBelow",      "hiddenShareAbove", "hiddenShareBelow",
-                                       "putRight",        "undone",           "exported",
+inline constexpr std::array stepEvents{"movedEye",
+                                       "movedOriginal",
+                                       "movedMirror",
+                                       "changedOriginal",
+                                       "changedMirror",
+                                       "depthScaleChanged",
+                                       "toleranceOff",
+                                       "toleranceOn",
+                                       "pickedPixel",
+                                       "pickedVertex",
+                                       "viewed",
+                                       "lookedThrough",
+                                       "rotatedView",
+                                       "morphed",
+                                       "raysOf",
+                                       "animatedRays",
+                                       "wireframe",
+                                       "matchAbove",
+                                       "matchBelow",
+                                       "hiddenShareAbove",
+                                       "hiddenShareBelow",
+                                       "putRight",
+                                       "undone",
+                                       "exported",
+                                       "eyeAbove",
+                                       "eyeAway",
+                                       "keptEye",
+                                       "depthScaleAbove",
+                                       "depthScaleBelow",
+                                       "verticesBelow",
+                                       "pickedEnds",
+                                       "wiped",
                                        "frozen"};
+
+/// Whether it is something that is so (a switch is on, the match is above 0.9), which counts when it is so already as a
+/// step opens; else it is something that happens (a thing was moved, picked), which counts only while the step is open.
+bool isState(StepEvent event);
 
 struct StepCondition {
   StepEvent when = StepEvent::movedEye;
@@ -71,7 +107,7 @@ struct StepCondition {
   bool operator==(const StepCondition&) const = default;
 };
 
-/// A move that "show me" makes. What is absent stays as it is.
+/// A move that "do it" makes, or that makes a level what a step begins with. What is absent stays as it is.
 struct StepMove {
   std::optional<Point> eye, original, mirror;  ///< where it goes
   std::optional<double> depthScale;
@@ -79,11 +115,13 @@ struct StepMove {
   std::optional<double> fovDegrees;
   std::optional<double> morph;               ///< 0: the original
   std::optional<Point> viewEye, viewTarget;  ///< of the 3D view
+  std::optional<double> wipe;                ///< where the line of the preview's tab goes
   std::optional<int> vertex;                 ///< of the original, to be picked
+  std::optional<std::array<int, 2>> ends;    ///< two of them, one after the other
   std::optional<std::array<int, 2>> pixel;   ///< of the pixel grid, to be picked
   std::string preview;                       ///< a tab, as for `viewed`
   std::string rays;                          ///< as for `raysOf`
-  std::string putRight;                      ///< as for the event
+  std::vector<std::string> putRight;         ///< as for the event
   std::string shape;                         ///< of the original: "box", "sphere", "torusKnot", ...
   std::optional<int> segments;               ///< of the original along every edge, where it is a box
   std::string mirrorKind;                    ///< as for `changedMirror`
@@ -107,6 +145,18 @@ inline constexpr std::array stepTabs{"eye", "original", "mirror", "sculpture", "
 inline constexpr std::array previewTabs{"reflection", "original", "difference", "wipe"};
 inline constexpr std::array stepFigures{"perspective", "construction", "columns", "edges", "occlusion"};
 
+/// What a step asks before it says what to do.
+struct StepAnswer {
+  std::string text, reply;  ///< the reply says why it is right or wrong
+  bool right = false;
+  bool operator==(const StepAnswer&) const = default;
+};
+struct StepQuestion {
+  std::string text;
+  std::vector<StepAnswer> answers;  ///< one of them is right
+  bool operator==(const StepQuestion&) const = default;
+};
+
 struct LessonStep {
   std::string id;  ///< unique in the lesson; progress is kept under it
   std::string title, why, task, notice;
@@ -114,6 +164,9 @@ struct LessonStep {
   bool optional = false;
   std::vector<StepCondition> done;  ///< all of them, in any order; none: the step is only read
   StepShow show;
+  std::optional<StepQuestion> question;
+  StepMove
+      start;  ///< what the level in its file becomes before the step; it has no morph, wipe, shape and undo
   bool operator==(const LessonStep&) const = default;
 };
 

@@ -84,7 +84,7 @@ constexpr std::size_t mostTitleBytes = 1000;  ///< that can be typed
 
 // ---- Lessons
 
-constexpr std::size_t mostSteps = 100, mostConditions = 8;
+constexpr std::size_t mostSteps = 100, mostConditions = 8, mostAnswers = 5;
 constexpr Range vertexNumber{0, 1e8};
 constexpr Range cellNumber{gridCells.min - 1, gridCells.max - 1};
 

@@ -101,8 +101,7 @@ void cancel(Editor& editor, UiState& ui) {
   if (editor.preview.expanded) {
     editor.preview.expanded = false;
   } else if (editor.cell || editor.point) {
-    editor.cell.reset();
-    editor.point.reset();
+    pickPoint(editor, {});
   } else {
     editor.selection = {};
   }
@@ -197,7 +196,7 @@ constexpr std::array<ActionRow, actionCount> table{{
     {Action::viewRight, "From the right", "Along the x axis", {{'3'}, {pad0 + 3}},
      flyToSide<ViewSide::right>},
     {Action::viewTop, "From above", "Along the z axis", {{'7'}, {pad0 + 7}}, flyToSide<ViewSide::top>},
-    {Action::toggleParallel, "Parallel rays", "Orthographic view and back", {{'5'}, {pad0 + 5}},
+    {Action::toggleParallel, "Parallel projection", "And back to perspective", {{'5'}, {pad0 + 5}},
      toggleParallel, always, [](const Editor& editor, const UiState&) { return editor.pose.orthographic; }},
     {Action::hideMirror, "Hide the mirror", "In the 3D view, and show it again", {{'H'}},
      [](Editor& editor, UiState&) { editor.display.mirror = !editor.display.mirror; }, always,
@@ -222,8 +221,12 @@ constexpr std::array<ActionRow, actionCount> table{{
      [](const Editor& editor, const UiState&) { return !editor.lesson.empty() && editor.lesson.step > 0; }},
     {Action::nextStep, "Next step", "Of the lesson; while presenting the right arrow, too", {{right, alt}},
      [](Editor& editor, UiState&) { nextStep(editor); }, hasLesson},
-    {Action::showStep, "Show me", "Points at the control, and makes the move of the lesson's step", {{'M'}},
-     showStep, [](const Editor& editor, const UiState&) { return canShow(editor.lesson); }},
+    {Action::restartStep, "Begin the step again", "With the level that it is meant to begin with; can be undone",
+     {{up, alt}}, [](Editor& editor, UiState&) { openStep(editor, editor.lesson.step); }, hasLesson},
+    {Action::pointAtStep, "Where?", "Opens the tab and outlines what the lesson's step is about; you do it yourself",
+     {{'M', shift}}, pointAtStep, [](const Editor& editor, const UiState&) { return canPointAt(editor.lesson); }},
+    {Action::playStep, "Do it", "Makes the move of the lesson's step before your eyes", {{'M'}},
+     doStep, [](const Editor& editor, const UiState&) { return canPlay(editor.lesson); }},
     {Action::progress, "Points and badges", "How far all lessons are done", {{f4}},
      [](Editor&, UiState& ui) { ui.progress.open = !ui.progress.open; }, always,
      [](const Editor&, const UiState& ui) { return ui.progress.open; }},
@@ -240,7 +243,7 @@ constexpr std::array<ActionRow, actionCount> table{{
      [](Editor&, UiState& ui) { ui.requests.shot = ShotRequest{1, !ui.panelsHidden, false, {}}; }},
     {Action::help, "Help", "Keys, mouse and words", {{f1}},
      [](Editor&, UiState& ui) { ui.helpOpen = !ui.helpOpen; }},
-    {Action::tour, "Show me around", "What is where in the window, in twenty seconds", {{f1, shift}},
+    {Action::tour, "Show me around", "What is where in the window", {{f1, shift}},
      [](Editor&, UiState& ui) { startTour(ui.tour); }},
     {Action::hidePanels, "Hide the panels", "And show them again", {{f2}},
      [](Editor&, UiState& ui) { ui.panelsHidden = !ui.panelsHidden; }, always,

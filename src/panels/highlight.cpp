@@ -32,11 +32,13 @@ void startHighlight(Highlight& highlight, const std::string& control, const Less
   highlight.seconds = control.empty() ? 0 : highlightSeconds;
   highlight.step = openStepOf(run);
   highlight.scrolled = false;
+  highlight.frames = 0;
 }
 
 void advanceHighlight(Highlight& highlight, const LessonRun& run, double seconds) {
   highlight.seconds = highlight.step == openStepOf(run) ? std::max(0.0, highlight.seconds - seconds) : 0;
   if (highlight.seconds == 0) highlight.control.clear();
+  ++highlight.frames;
 }
 
 HighlightScope::HighlightScope(Highlight& highlight) : before_(ImGui::GetIO().UserData) {
@@ -45,6 +47,11 @@ HighlightScope::HighlightScope(Highlight& highlight) : before_(ImGui::GetIO().Us
 
 HighlightScope::~HighlightScope() {
   ImGui::GetIO().UserData = before_;
+}
+
+bool isHighlightMissing() {
+  const auto* highlight = static_cast<const Highlight*>(ImGui::GetIO().UserData);
+  return highlight && !highlight->control.empty() && !highlight->scrolled && highlight->frames > 1;
 }
 
 void highlightArea(const char* control, const ImVec2& low, const ImVec2& high) {

@@ -1,4 +1,4 @@
-// The control that "show me" points at: outlined for some seconds, and scrolled to once. Controls find it through
+// The control that a lesson's step points at: outlined for some seconds, and scrolled to once. Controls find it through
 // Dear ImGui's context, so that a row needs no more than its name:
 //
 //   { const HighlightScope scope(ui.highlight);   ... rows call highlightItem("Depth scale k") ... }
@@ -17,6 +17,7 @@ struct Highlight {
   double seconds = 0;     ///< that are left
   StepOfLesson step;      ///< that asked for it: it ends with it
   bool scrolled = false;  ///< it has been brought into view
+  int frames = 0;         ///< since it is pointed at
   int outlined = 0;       ///< how often a control has been, for tests
 };
 
@@ -36,6 +37,9 @@ class HighlightScope {
  private:
   void* before_;
 };
+
+/// Whether a control is pointed at that was not drawn in the last frames: it may be in something that is folded.
+bool isHighlightMissing();
 
 /// Outlines this part of the window when the control of that name is pointed at.
 void highlightArea(const char* control, const ImVec2& low, const ImVec2& high);

@@ -7,6 +7,8 @@ namespace {
 
 constexpr float menuHeight = 30, statusHeight = 26;
 constexpr float smallestView = 240, smallestPreview = 200, smallestProperties = 160, smallestLesson = 250;
+constexpr float foldedLevels = 44;
+constexpr float roomyLesson = 640;  // has any step's texts, its figure and what there is to notice
 
 // Side panels give way before they go: each gives its share of what the view lacks.
 void squeeze(float& left, float& right, float lacking, float scale) {
@@ -38,6 +40,8 @@ Layout makeLayout(const LayoutInput& in) {
   if (in.width - left - right < smallestView * s - 0.5f) left = 0;
   if (in.width - right < smallestView * s) right = 0;
   float list = std::min((46 + levelRowHeight * static_cast<float>(in.levels)) * s, 0.42f * height);
+  layout.levelsFolded = in.lessonRuns && !in.levelsOpen && height - list < roomyLesson * s;
+  if (layout.levelsFolded) list = foldedLevels * s;
   if (height - list < smallestLesson * s) list = 0;  // the menu Level has the list too
   layout.left = {0, top, left, left > 0 ? list : 0};
   layout.lesson = {0, top + list, left, left > 0 ? height - list : 0};

@@ -1,6 +1,6 @@
 // Where the panels are: a fixed arrangement with splitters. In small windows the side panels give way, and go
-// when that is not enough, so that the 3D view always has room; a low window shows the lesson without the
-// level list.
+// when that is not enough, so that the 3D view always has room. While a lesson runs the level list is folded to
+// one line where the lesson needs its room; a low window shows the lesson without it.
 //
 //   +----------------------------------------------+
 //   | menu                                         |
@@ -34,6 +34,7 @@ struct Rect {
 /// Panels that are not shown have an empty rectangle.
 struct Layout {
   Rect menu, left, lesson, view, properties, preview, status;
+  bool levelsFolded = false;  ///< the level list is one line, its heading
 
   bool operator==(const Layout&) const = default;
 };
@@ -45,6 +46,8 @@ struct LayoutInput {
   bool panelsHidden = false;
   bool previewExpanded = false;  ///< the preview takes half of the window
   int levels = 0;                ///< rows of the level list
+  bool lessonRuns = false;
+  bool levelsOpen = false;  ///< the list was unfolded by hand
 };
 
 Layout makeLayout(const LayoutInput& input);

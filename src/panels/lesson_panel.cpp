@@ -46,15 +46,15 @@ void button(Action action, const char* name, const char* help, float width, bool
 
 void drawButtons(Editor& editor, UiState& ui) {
   const LessonRun& run = editor.lesson;
-  const bool last = run.step + 1 == run.lesson.steps.size(), reads = run.open().done.empty();
+  const bool last = run.step + 1 == run.lesson.steps.size(), reads = isOnlyRead(run.open());
   const bool readLast = last && reads && !run.done, onward = run.done || reads, done = run.done;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  button(Action::showStep, "Show me", "Points at the control, and makes the move of this step.", half, false,
-         editor, ui);
-  ImGui::SameLine();
-  const char* reset = ImGui::CalcTextSize(tr("Reset the level")).x > half ? "Reset" : "Reset the level";
-  button(Action::resetLevel, reset, "As it was opened. Can be undone.", half, false, editor, ui);
+  const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float half = (room - gap) / 2, third = (room - 2 * gap) / 3;
+  for (const Action action : {Action::pointAtStep, Action::playStep}) {
+    button(action, rowOf(action).name, rowOf(action).help, third, false, editor, ui);
+    ImGui::SameLine();
+  }
+  button(Action::restartStep, "Again", rowOf(Action::restartStep).help, third, false, editor, ui);
   button(Action::previousStep, "Back", "The step before.", half, false, editor, ui);
   ImGui::SameLine();
   if (last && !readLast) return button(Action::nextLevel, "Next level", "", half, done, editor, ui);
@@ -86,7 +86,7 @@ void drawLesson(Editor& editor, UiState& ui) {
                     ImGuiWindowFlags_NavFlattened);
   scrollToStep(ui.lessonScroll, editor.lesson);
   title(ui, editor.lesson.open().title);
-  drawStepText(editor.lesson, ui.longTexts, ui);
+  drawStepText(editor, ui);
   drawBadge(editor, ui);
   scrollToNotice(ui.lessonScroll);  // which must not appear below the edge
   ImGui::EndChild();

@@ -7,6 +7,8 @@
 
 #include "base/language.h"
 #include "edit/lesson_run.h"
+#include "edit/lesson_start.h"
+#include "panels/actions.h"
 #include "panels/figures.h"
 #include "panels/highlight.h"
 #include "panels/property_tabs.h"
@@ -28,23 +30,51 @@ void barred(const std::string& text, const ImVec4& color, LongTexts& texts, cons
                                             ImGui::ColorConvertFloat4ToU32(color), 2 * s);
 }
 
+// The level is not what the step needs, because another one was left out or done otherwise.
+void offerStart(Editor& editor, UiState& ui) {
+  if (editor.lesson.done || !isStartMissed(editor.lesson)) return;
+  quietText(ui, "This step is meant to begin with another level than you have now.");
+  if (ImGui::Button(tr("Set it up"))) perform(Action::restartStep, editor, ui);
+  tooltip(rowOf(Action::restartStep).help);
+}
+
+// An answer can be given until the right one is; each says what is wrong or right about it.
+void drawQuestion(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
+  const auto& question = run.open().question;
+  if (!question) return;
+  {
+    const FontScope strong(ui.fonts.strong);
+    ui.longTexts.draw(question->text);
+  }
+  ImGui::BeginDisabled(isAnswered(run));
+  for (std::size_t i = 0; i < question->answers.size(); ++i) {
+    const std::string text = inOneLine(tr(question->answers[i].text)) + fmt::format("###{}", i);
+    if (ImGui::RadioButton(text.c_str(), run.answer == i)) answerStep(editor, i);
+  }
+  ImGui::EndDisabled();
+  if (!run.answer) return;
+  const StepAnswer& given = question->answers[*run.answer];
+  barred(given.reply, given.right ? ink::good(ui.theme) : ink::bad(ui.theme), ui.longTexts, ui);
+}
+
 }  // namespace
 
-void drawStepText(const LessonRun& run, LongTexts& texts, const Look& look) {
+void drawStepText(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
   const LessonStep& step = run.open();
-  const Theme theme = look.theme;
-  const float gap = ImGui::GetStyle().ItemSpacing.y;
-  texts.draw(step.why);
-  if (!step.figure.empty()) {
-    ImGui::Dummy({0, gap / 2});
-    drawFigure(step.figure, look);
-  }
-  ImGui::Dummy({0, gap / 2});
-  barred(step.task, run.done ? ink::good(theme) : ink::accent(theme), texts, look);
-  if (run.done && !step.notice.empty()) {
-    ImGui::Dummy({0, gap / 2});
-    barred(step.notice, ink::good(theme), texts, look);
-  }
+  const ImVec4 done = ink::good(ui.theme), open = ink::accent(ui.theme);
+  const auto gap = [] { ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y / 2}); };
+  ui.longTexts.draw(step.why);
+  gap();
+  if (!step.figure.empty()) drawFigure(step.figure, ui);
+  offerStart(editor, ui);
+  drawQuestion(editor, ui);
+  if (!isAnswered(run)) return;
+  barred(step.task, run.done ? done : open, ui.longTexts, ui);
+  if (!run.done || step.notice.empty()) return;
+  gap();
+  barred(step.notice, done, ui.longTexts, ui);
 }
 
 void drawStepDots(Editor& editor, const Look& look) {
@@ -84,19 +114,26 @@ std::string stepCount(const LessonRun& run) {
   return trFormat("Step {} of {}", run.step + 1, run.lesson.steps.size());
 }
 
-bool canShow(const LessonRun& run) {
-  if (run.empty()) return false;
-  const StepShow& show = run.open().show;
-  return show.play || !show.widget.empty() || !show.tab.empty();
+bool canPointAt(const LessonRun& run) {
+  return !run.empty() && !(run.open().show.widget.empty() && run.open().show.tab.empty());
 }
 
-void showStep(Editor& editor, UiState& ui) {
+bool canPlay(const LessonRun& run) {
+  return !run.empty() && run.open().show.play;
+}
+
+void pointAtStep(Editor& editor, UiState& ui) {
   if (editor.lesson.empty()) return;
   const StepShow& show = editor.lesson.open().show;
+  if (!ui.presenting) ui.panelsHidden = false;
   const auto tab = std::find(stepTabs.begin(), stepTabs.end(), show.tab);
   if (tab != stepTabs.end())
     openTab(ui.tabs, editor.selection, static_cast<PropertyTab>(tab - stepTabs.begin()));
   startHighlight(ui.highlight, show.widget, editor.lesson);
+}
+
+void doStep(Editor& editor, UiState& ui) {
+  pointAtStep(editor, ui);
   playStep(editor);
 }
 

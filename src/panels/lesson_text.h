@@ -1,4 +1,4 @@
-// The words of a lesson's step, in the panel and large for an audience; and what "show me" points at.
+// The words of a lesson's step, in the panel and large for an audience; and what its help points at and does.
 #pragma once
 
 #include "edit/editor.h"
@@ -6,8 +6,9 @@
 
 namespace anamorph {
 
-/// Why, the figure, what to do, and what to notice once it is done; in the current font, wrapped.
-void drawStepText(const LessonRun& run, LongTexts& texts, const Look& look);
+/// Why, the figure, what is asked, what to do once that is answered, and what to notice once it is done; in the current
+/// font, wrapped.
+void drawStepText(Editor& editor, UiState& ui);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
 void drawStepDots(Editor& editor, const Look& look);
@@ -15,10 +16,12 @@ void drawStepDots(Editor& editor, const Look& look);
 /// "Step 2 of 6"
 std::string stepCount(const LessonRun& run);
 
-/// Opens the tab, outlines the control and begins the move of the open step.
-void showStep(Editor& editor, UiState& ui);
+/// "Where?": opens the tab of the open step, brings its control into sight and outlines it. Nothing is done.
+void pointAtStep(Editor& editor, UiState& ui);
+bool canPointAt(const LessonRun& run);
 
-/// Whether the open step has something to show.
-bool canShow(const LessonRun& run);
+/// "Do it": the same, and begins the step's move.
+void doStep(Editor& editor, UiState& ui);
+bool canPlay(const LessonRun& run);
 
 }  // namespace anamorph

@@ -43,7 +43,10 @@ void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   ImGui::PushID(entry.name.c_str());
   const ImVec2 p = ImGui::GetCursorScreenPos();
   const float right = p.x + ImGui::GetContentRegionAvail().x - 4 * s;
-  if (ImGui::Selectable("##level", open, 0, {0, height})) ui.requests.open = entry.path;
+  if (ImGui::Selectable("##level", open, 0, {0, height})) {
+    ui.requests.open = entry.path;
+    ui.levelsOpen = false;
+  }
   tooltip(entry.problem.c_str());
   const ImVec2 after = ImGui::GetCursorScreenPos();
   const float side = height - 6 * s;
@@ -63,14 +66,20 @@ void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   ImGui::PopID();
 }
 
+// With an arrow where the list can be folded.
+void drawHeading(UiState& ui) {
+  const FontScope strong(ui.fonts.strong);
+  if (!ui.layout.levelsFolded && !ui.levelsOpen) return ImGui::TextUnformatted(tr("Levels"));
+  ImGui::SetNextItemOpen(ui.levelsOpen);
+  ui.levelsOpen = ImGui::CollapsingHeader(label("Levels").c_str());
+}
+
 }  // namespace
 
 void drawLevelPanel(Editor& editor, UiState& ui) {
-  if (!beginPanel("levels", ui.layout.left)) return;
-  {
-    const FontScope strong(ui.fonts.strong);
-    ImGui::TextUnformatted(tr("Levels"));
-  }
+  if (!beginPanel("levels", ui.layout.left, true, !ui.layout.levelsFolded)) return;
+  drawHeading(ui);
+  if (ui.layout.levelsFolded) return ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
   for (const LevelEntry& entry : ui.levels) levelRow(entry, editor, ui);
   ImGui::PopStyleVar();

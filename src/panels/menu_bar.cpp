@@ -11,6 +11,7 @@
 
 #include "base/language.h"
 #include "panels/actions.h"
+#include "panels/highlight.h"
 #include "panels/match_score.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -88,7 +89,9 @@ void levelMenu(Editor& editor, UiState& ui) {
   ImGui::Separator();
   items({Action::previousLevel, Action::nextLevel}, editor, ui);
   ImGui::Separator();
-  items({Action::previousStep, Action::nextStep, Action::showStep, Action::progress}, editor, ui);
+  items({Action::previousStep, Action::nextStep, Action::restartStep, Action::pointAtStep, Action::playStep,
+         Action::progress},
+        editor, ui);
 }
 
 void helpMenu(Editor& editor, UiState& ui) {
@@ -103,7 +106,9 @@ void menus(Editor& editor, UiState& ui) {
   constexpr Menu all[] = {
       {"File", fileMenu}, {"Edit", editMenu}, {"View", viewMenu}, {"Level", levelMenu}, {"Help", helpMenu}};
   for (const Menu& menu : all) {
-    if (!ImGui::BeginMenu(tr(menu.name))) continue;
+    const bool open = ImGui::BeginMenu(tr(menu.name));
+    highlightItem(menu.name);
+    if (!open) continue;
     menu.draw(editor, ui);
     ImGui::EndMenu();
   }

@@ -71,7 +71,7 @@ void drawWindows(Editor& editor, UiState& ui) {
   drawHelpWindow(editor, ui);
   drawProgressWindow(ui.progress, editor, ui.levels, ui);
   drawPresenter(editor, ui);
-  drawTour(ui.tour, ui.preferences, ui.layout, ui);
+  drawTour(ui.tour, ui.preferences, ui.layout, ui.tabsArea, ui);
 }
 
 // A number that is dragged, typed or clicked is one step of the history. Esc while it is typed takes back all of it:
@@ -93,7 +93,8 @@ void handleInput(Editor& editor, UiState& ui) {
   const Preferences& p = ui.preferences;
   ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
                           static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size())});
+                          ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size()),
+                          !editor.lesson.empty(), ui.levelsOpen});
   updateKeyFocus(ui.keyFocus, reachableWindows(ui), isDialogOpen(ui));
   advanceHighlight(ui.highlight, editor.lesson, static_cast<double>(ImGui::GetIO().DeltaTime));
   handleView(editor, ui);

@@ -33,7 +33,7 @@ void words(const LessonRun& run, UiState& ui) {
   // What was done while rehearsing is no answer yet.
   const bool notice = run.doneNow && !step.notice.empty();
   if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.theme));
-  ui.longTexts.draw(notice ? step.notice : step.task);
+  ui.longTexts.draw(notice ? step.notice : isAnswered(run) ? step.task : step.question->text);
   if (notice) ImGui::PopStyleColor();
 }
 

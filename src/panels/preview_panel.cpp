@@ -2,6 +2,7 @@
 // they match.
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -9,6 +10,8 @@
 
 #include "base/language.h"
 #include "panels/actions.h"
+#include "panels/difference_legend.h"
+#include "panels/highlight.h"
 #include "panels/match_score.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -42,7 +45,7 @@ void drawCell(const Rect& r, const PixelGrid& grid, const GridCell& cell, ImU32 
 }
 
 // Hover outlines a cell of the pixel grid, a click isolates its rays, a second click shows all again.
-void pickCell(Editor& editor, UiState& ui, const Rect& r) {
+void pointAtCell(Editor& editor, UiState& ui, const Rect& r) {
   const PixelGrid& grid = editor.session.level().grid;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const GridCell cell{
@@ -52,8 +55,7 @@ void pickCell(Editor& editor, UiState& ui, const Rect& r) {
                  grid.rows - 1)};
   ui.hoveredCell = cell;
   if (!ImGui::IsItemClicked(0)) return;
-  editor.cell = editor.cell == cell ? std::nullopt : std::optional(cell);
-  editor.animationSeconds = 0;
+  pickCell(editor, editor.cell == cell ? std::nullopt : std::optional(cell));
 }
 
 // The line between both pictures, with a grip.
@@ -72,6 +74,7 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   ImGui::SetCursorScreenPos({r.x, r.y});
   ImGui::InvisibleButton("image", {r.width, r.height});
   const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+  highlightItem("Preview");
   switch (editor.preview.tab) {
     case PreviewTab::reflection:
       drawPicture(t.reflection, r);
@@ -91,7 +94,7 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   }
   const PixelGrid& grid = editor.session.level().grid;
   ui.hoveredCell.reset();
-  if (hovered) pickCell(editor, ui, r);
+  if (hovered) pointAtCell(editor, ui, r);
   if (ui.hoveredCell) drawCell(r, grid, *ui.hoveredCell, IM_COL32(255, 255, 255, 200), 1.5f);
   if (editor.cell) drawCell(r, grid, *editor.cell, ink::of(palette::chosenCell), 2.5f);
 }
@@ -171,18 +174,23 @@ void drawPreviewPanel(Editor& editor, UiState& ui, const MatchScore& score) {
     return;
   }
   int tab = static_cast<int>(editor.preview.tab);
-  if (segmentedControl("tabs", tab, {"Reflection", "Original", "Difference", "Wipe"}, 4)) {
+  const bool reflects = isVisible(editor.session.level().optic);
+  const char* seen = reflects ? "Reflection" : "Seen by the eye";
+  if (segmentedControl("tabs", tab, {seen, "Original", "Difference", "Wipe"}, 4)) {
     editor.preview.tab = static_cast<PreviewTab>(tab);
   }
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
   const bool parts = havePartsRoom(ui, score, room);
-  float below = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
+  std::optional<DifferenceLegend> legend;
+  if (editor.preview.tab == PreviewTab::difference) legend.emplace(reflects, room.x);
+  float below = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y + (legend ? legend->height() : 0);
   if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   drawImages(editor, ui, imageRect(editor.session.level().grid, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
+  if (legend) legend->draw();
   scoreBar(ui, score, parts);
   if (parts) scoreParts(ui, score);
   sizeAndRender(editor, ui);

@@ -21,7 +21,7 @@ void animationRows(Editor& editor) {
   if (checkRow("Animate", rays.animate, "The rays grow from the eye.")) editor.animationSeconds = 0;
   if (!rays.animate) return;
   if (checkRow("One after the other", rays.sequential)) editor.animationSeconds = 0;
-  checkRow("Again and again", rays.loop);
+  checkRow("Loop", rays.loop, "Begin anew at the end.");
   sliderRow("Speed", rays.speed, {limits::raySpeed, 0.1, "%.1f / s"}, "Scene units a second.");
   if (wideButton(editor.animationPaused ? "Go on" : "Pause"))
     editor.animationPaused = !editor.animationPaused;

@@ -1,6 +1,8 @@
 // The sculpture: how far it reaches, how fine it is, how it came about; and the construction of a picked
 // vertex.
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -37,6 +39,8 @@ bool deformationRows(SculptureSettings& sculpture) {
       "Depth scale k", depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
       "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
   ImGui::EndDisabled();
+  // The one value that is a case of its own is met by a drag; what is typed stays as it was typed.
+  if (changed && ImGui::IsMouseDown(0) && std::abs(std::log(depthScale)) < 0.04) depthScale = 1;
   bool refine = sculpture.tolerancePixels > 0;
   if (checkRow("Refine", refine,
                "Split the triangles until their edges are straight in the mirror. Off: the original's own "
@@ -51,10 +55,11 @@ bool deformationRows(SculptureSettings& sculpture) {
   return changed;
 }
 
-// Each is right when its box is ticked. Folded where a level opens without mistakes to find.
+// Each is right when its box is ticked. Folded where a level has no mistakes to find.
 bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
   ImGui::PushID(editor.session.generation());
-  const bool open = section(ui, "Formulas", mistakes.any());
+  const bool open =
+      section(ui, "Formulas", mistakes.any() || editor.session.saved().sculpture.mistakes.any());
   ImGui::PopID();
   if (!open) return false;
   const auto row = [](const char* name, bool& mistake, const char* help) {
@@ -64,15 +69,15 @@ bool formulaRows(const UiState& ui, const Editor& editor, Mistakes& mistakes) {
     return true;
   };
   bool changed =
-      row("Direction", mistakes.direction,
+      row("Direction is right", mistakes.direction,
           "Ticked: the ray from the eye is reflected. Not ticked: the ray towards the eye is, as in the "
           "thesis' published program, and everything lands behind the mirror.");
   changed |= row(
-      "Normal", mistakes.normal,
+      "Normal is right", mistakes.normal,
       "Ticked: a cylinder's normal points away from its axis. Not ticked: from its middle, as if it were a "
       "sphere.");
-  changed |= row("Distance", mistakes.distance,
-                 "Ticked: d = |P - Q|. Not ticked: |(P - E) - Q|, which takes a point from a direction.");
+  changed |= row("Distance is right", mistakes.distance,
+                 "Ticked: d = |PQ|. Not ticked: |(P − E) − Q|, which takes a point from a direction.");
   return changed;
 }
 
@@ -105,7 +110,7 @@ void constructionRows(Editor& editor, const UiState& ui) {
     paragraph(construction->explanation);
     ImGui::PopStyleColor();
   }
-  if (wideButton("Let it go", "Esc does the same.")) editor.point.reset();
+  if (wideButton("Let it go", "Esc does the same.")) pickPoint(editor, {});
 }
 
 }  // namespace

@@ -13,22 +13,25 @@
 namespace anamorph {
 namespace {
 
-constexpr double cardSeconds = 4;
-
 struct Card {
-  Rect Layout::*part;
+  Rect Layout::*part;  // null: the tabs of the properties
   const char* title;
   const char* text;
 };
-constexpr std::array cards{
+constexpr std::array<Card, tourCards> cards{
     Card{&Layout::view, "The scene",
-         "A sculpture, a mirror, and the RT camera that looks into it. Drag to turn, use the wheel to come "
-         "nearer, "
-         "click a thing to select it and drag its arrows."},
+         "A sculpture, a mirror, and the RT camera that looks into it (RT = ray tracing). Drag to turn, use "
+         "the "
+         "wheel to come nearer, click a thing to select it and drag its arrows."},
     Card{&Layout::lesson, "The lesson",
-         "One step at a time: why, what to do, and what to notice. Show me makes the move for you."},
+         "One step at a time: why, what to do, and what to notice. Where? points at what is meant, Do it "
+         "makes "
+         "the move for you."},
+    Card{nullptr, "The tabs",
+         "One for each thing of the scene, one for the rays, one for the view. Lessons name them: in the tab "
+         "Eye, in the tab Sculpture."},
     Card{&Layout::properties, "The properties",
-         "The numbers of what is selected. Drag one, or double click to type."},
+         "The numbers of the tab that is open. Drag one, or double click to type."},
     Card{&Layout::preview, "What the eye sees",
          "The RT camera's picture, traced ray by ray, and how well it matches the original."},
     Card{&Layout::left, "The levels",
@@ -58,8 +61,7 @@ void dimAround(const Rect& r, const ImVec2& display, const Look& look) {
 }
 
 void nextCard(Tour& tour, Preferences& preferences) {
-  tour.seconds = 0;
-  if (++tour.card >= static_cast<int>(cards.size())) endTour(tour, preferences);
+  if (++tour.card >= tourCards) endTour(tour, preferences);
 }
 
 void drawCard(Tour& tour, Preferences& preferences, const Look& look) {
@@ -69,9 +71,8 @@ void drawCard(Tour& tour, Preferences& preferences, const Look& look) {
     ImGui::TextUnformatted(tr(card.title));
   }
   paragraph(tr(card.text));
-  ImGui::ProgressBar(static_cast<float>(std::min(1.0, tour.seconds / cardSeconds)),
-                     {-FLT_MIN, 3 * static_cast<float>(look.scale)}, "");
-  const bool last = tour.card + 1 == static_cast<int>(cards.size());
+  quietText(look, fmt::format("{} / {}", tour.card + 1, tourCards).c_str());
+  const bool last = tour.card + 1 == tourCards;
   if (ImGui::Button(tr(last ? "Begin" : "Next"))) return nextCard(tour, preferences);
   if (last) return;
   ImGui::SameLine();
@@ -81,7 +82,7 @@ void drawCard(Tour& tour, Preferences& preferences, const Look& look) {
 }  // namespace
 
 void startTour(Tour& tour) {
-  tour = {0, 0};
+  tour.card = 0;
 }
 
 void endTour(Tour& tour, Preferences& preferences) {
@@ -89,11 +90,12 @@ void endTour(Tour& tour, Preferences& preferences) {
   preferences.tourSeen = true;
 }
 
-void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const Look& look) {
+void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const Rect& tabs,
+              const Look& look) {
   if (!tour.goesOn()) return;
-  const auto index = static_cast<std::size_t>(tour.card);
-  if (index >= cards.size()) return endTour(tour, preferences);
-  const Rect rect = layout.*cards[index].part;
+  if (tour.card >= tourCards) return endTour(tour, preferences);
+  const Rect Layout::*const part = cards[static_cast<std::size_t>(tour.card)].part;
+  const Rect rect = part ? layout.*part : layout.properties.empty() ? Rect() : tabs;
   if (rect.empty()) return nextCard(tour, preferences);  // a small window has not got it
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float s = static_cast<float>(look.scale);
@@ -108,13 +110,9 @@ void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const 
   ImGui::Begin("##tour", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav);
-  const bool reading = ImGui::IsWindowHovered();
   drawCard(tour, preferences, look);
   ImGui::End();
   ImGui::PopStyleVar(2);
-  if (!tour.goesOn() || reading) return;
-  tour.seconds += static_cast<double>(ImGui::GetIO().DeltaTime);
-  if (tour.seconds >= cardSeconds) nextCard(tour, preferences);
 }
 
 }  // namespace anamorph

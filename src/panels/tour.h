@@ -1,5 +1,5 @@
-// What is where: five cards of four seconds, each beside the part of the window that it tells of. Any of them
-// can be skipped, all of them at once, and the menu Help shows them again.
+// What is where: cards beside the parts of the window that they tell of. Each waits until it has been read; all can be
+// skipped at once, and the menu Help shows them again.
 #pragma once
 
 #include "panels/layout.h"
@@ -9,15 +9,17 @@
 namespace anamorph {
 
 struct Tour {
-  int card = -1;       ///< that is shown; -1: none is
-  double seconds = 0;  ///< since it appeared
+  int card = -1;  ///< that is shown; -1: none is
 
   bool goesOn() const { return card >= 0; }
 };
 
+constexpr int tourCards = 6;
+
 void startTour(Tour& tour);
 /// Seen or skipped: it does not come by itself again.
 void endTour(Tour& tour, Preferences& preferences);
-void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const Look& look);
+/// `tabs`: where the tabs of the properties were drawn.
+void drawTour(Tour& tour, Preferences& preferences, const Layout& layout, const Rect& tabs, const Look& look);
 
 }  // namespace anamorph

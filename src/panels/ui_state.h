@@ -79,11 +79,13 @@ struct UiState : Look {
 
   // The panels themselves.
   bool panelsHidden = false;
+  bool levelsOpen = false;  ///< the level list, which is folded while a lesson needs its room
   KeyFocus keyFocus;
   Highlight highlight;
   LessonScroll lessonScroll;
   LongTexts longTexts;
   PropertyTabs tabs;
+  Rect tabsArea;                        ///< where they were drawn last
   ViewMouse mouse;                      ///< in the 3D view
   std::optional<GridCell> hoveredCell;  ///< in the preview
 };

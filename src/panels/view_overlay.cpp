@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include "panels/highlight.h"
 #include "panels/panels.h"
 #include "panels/style.h"
 #include "panels/view_panel.h"
@@ -124,8 +125,7 @@ void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
   }
 }
 
-void drawConstruction(const Ink& ink, const Construction& construction) {
-  Labels labels(ink);
+void drawPoints(const Ink& ink, const Construction& construction, Labels& labels) {
   for (const ConstructionLabel& label : construction.points) {
     const auto pixel = ink.find(label.at);
     if (!pixel) continue;
@@ -133,12 +133,28 @@ void drawConstruction(const Ink& ink, const Construction& construction) {
     ink.list().AddCircleFilled(ink.at(*pixel), 4.2f * ink.scale(), ink::of(palette::pointRim));
     ink.list().AddCircleFilled(ink.at(*pixel), 3.0f * ink.scale(), ink::of(palette::pointLabel));
   }
+}
+
+// The vertex that was picked last with all it has; of the one before it only the letters, without the eye's.
+void drawConstructions(const Ink& ink, Editor& editor) {
+  const auto& last = currentConstruction(editor);
+  const auto& earlier = earlierConstruction(editor);
+  Labels labels(ink);
   const auto draw = [&](const ConstructionLabel& label, Rgb color) {
     if (const auto pixel = ink.find(label.at)) labels.draw(*pixel, label.text, ink::of(color));
   };
-  for (const ConstructionLabel& label : construction.points) draw(label, palette::pointLabel);
-  for (const ConstructionLabel& label : construction.distances) draw(label, palette::distanceLabel);
-  for (const ConstructionArc& arc : construction.arcs) draw(arc.label, palette::angleLabel);
+  for (const auto* construction : {&last, &earlier}) {
+    if (*construction) drawPoints(ink, **construction, labels);
+  }
+  if (last) {
+    for (const ConstructionLabel& label : last->points) draw(label, palette::pointLabel);
+    for (const ConstructionLabel& label : last->distances) draw(label, palette::distanceLabel);
+    for (const ConstructionArc& arc : last->arcs) draw(arc.label, palette::angleLabel);
+  }
+  if (!earlier) return;
+  for (const ConstructionLabel& label : earlier->points) {
+    if (label.text != "E") draw(label, palette::pointLabel);
+  }
 }
 
 // A cross where the RT camera looks at, while it is selected.
@@ -215,18 +231,21 @@ void drawView(Editor& editor, UiState& ui) {
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
   const bool alone = editor.display.alone != ShownAlone::nothing;
-  if (const auto& construction = currentConstruction(editor); construction && !alone)
-    drawConstruction(ink, *construction);
+  if (!alone) drawConstructions(ink, editor);
   drawGizmo(ink,
             emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
+  const float inset = ImGui::GetFontSize();
+  highlightArea("3D view", {rect.x + inset, rect.y + inset},
+                {rect.x + rect.width - inset, rect.y + rect.height - inset});
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
   drawProblem(editor, ui);
   if (ui.bare) return;
   drawViewSigns(editor, ui);
   drawViewProblem(ui);
+  drawPausedRays(editor, ui);
   if (ui.preferences.legend && editor.rays.show && !alone) drawLegend(editor, ui);
 }
 

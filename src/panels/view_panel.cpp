@@ -50,14 +50,9 @@ void press(Editor& editor, UiState& ui, const Pixel& mouse) {
 
 void click(Editor& editor, const UiState& ui, const Pixel& mouse) {
   const Pick picked = pickAt(editor, ui, mouse);
-  editor.cell = picked.cell == editor.cell ? std::nullopt : picked.cell;
-  if (picked.cell) {
-    editor.selection = {Part::eye, 0};
-    editor.animationSeconds = 0;
-    return;
-  }
-  editor.selection = picked.selection;
-  editor.point = picked.point;
+  editor.selection = picked.cell ? Selection{Part::eye, 0} : picked.selection;
+  if (picked.cell) return pickCell(editor, picked.cell == editor.cell ? std::nullopt : picked.cell);
+  pickPoint(editor, picked.point);
 }
 
 // A double click: what is there becomes the centre that the view turns around.

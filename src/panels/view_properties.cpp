@@ -37,7 +37,8 @@ void drawViewProperties(Editor& editor, UiState& ui) {
   Preferences& preferences = ui.preferences;
   if (section(ui, "3D view")) {
     bool parallel = editor.pose.orthographic;
-    if (checkRow("Parallel rays", parallel, "Orthographic view. The key 5 does the same.")) {
+    if (checkRow("Parallel projection", parallel,
+                 "Lines of sight side by side instead of from one eye. The key 5 does the same.")) {
       takeOverView(editor);
       editor.pose = togglePerspective(editor.pose);
     }

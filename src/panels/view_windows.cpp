@@ -186,6 +186,13 @@ void drawViewProblem(const UiState& ui) {
   ImGui::End();
 }
 
+void drawPausedRays(const Editor& editor, const UiState& ui) {
+  if (!editor.rays.show || !editor.rays.animate || !editor.animationPaused) return;
+  beginFloating(ui, "##paused", {0.5f, 0}, 0.72f, 6);
+  ImGui::TextUnformatted(tr("Rays paused - Space"));
+  ImGui::End();
+}
+
 void drawLegend(const Editor& editor, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);

@@ -14,6 +14,8 @@ void drawProblem(Editor& editor, UiState& ui);
 void drawViewSigns(Editor& editor, UiState& ui);
 /// What of the level the 3D view cannot show, in a corner of it; nothing when it shows all.
 void drawViewProblem(const UiState& ui);
+/// That the rays stand still, and what lets them go on; nothing while they do not.
+void drawPausedRays(const Editor& editor, const UiState& ui);
 void drawLegend(const Editor& editor, const UiState& ui);
 /// All kinds of lines with their names, for the help.
 void drawAllLegendLines(const UiState& ui);

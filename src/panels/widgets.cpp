@@ -75,6 +75,7 @@ bool section(const Look& look, const char* title, bool open) {
   const FontScope strong(look.fonts.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, {0, 0, 0, 0});
   ImGui::SetNextItemOpen(open, ImGuiCond_Once);
+  if (isHighlightMissing()) ImGui::SetNextItemOpen(true);
   const bool shown = ImGui::CollapsingHeader(label(title).c_str());
   ImGui::PopStyleColor();
   return shown;

@@ -54,12 +54,6 @@ TEST_F(RealWindowLessons, PresentsTheStepThatIsNamedAndStepsByArrows) {
   ASSERT_TRUE(wait([](const State& s) { return !s.is("presenting") && !s.is("panelsHidden"); }));
 }
 
-TEST_F(RealWindowLessons, TheTourGoesOnByItself) {
-  start({"0-perspective", "--with-tour"});
-  EXPECT_TRUE(window->waitForEver([](const State& s) { return s.number("tourCard") == 2; }))
-      << "the mouse rests";
-}
-
 TEST_F(RealWindowLessons, ANumberIsChangedByKeysAlone) {
   start({"1-plane"});
   for (int i = 0; i < 3; ++i) window->key("F6");  // levels, lesson, properties

@@ -7,6 +7,7 @@
 
 #include "edit/advance.h"
 #include "edit/editor.h"
+#include "edit/lesson_start.h"
 #include "edit/level_edits.h"
 #include "lesson_levels.h"
 #include "level/level_json.h"
@@ -17,10 +18,15 @@ namespace {
 
 using namespace testing;
 
-std::string step(const std::string& id, const std::string& done, const std::string& play = "") {
+std::string step(const std::string& id, const std::string& done, const std::string& play = "",
+                 const std::string& more = "") {
   const std::string show = play.empty() ? "{}" : "{\"play\": " + play + "}";
   return "{\"id\": \"" + id + R"(", "title": "T", "why": "W", "do": "D", "done": )" + done +
-         ", \"show\": " + show + "}";
+         ", \"show\": " + show + more + "}";
+}
+
+std::string startingWith(const std::string& start) {
+  return ", \"start\": " + start;
 }
 
 // An editor with a small plane level and these steps, settled.
@@ -71,6 +77,206 @@ TEST_F(LessonRunTest, AStateThatAlreadyHoldsHasToBeLeftFirst) {
   EXPECT_FALSE(editor.lesson.done);
   change([](Level& level) { level.sculpture.tolerancePixels = 0.5; });
   EXPECT_TRUE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, AStateThatIsBroughtAlongCountsAtOnce) {
+  open(step("look", "[]") + "," + step("off", R"([{"when": "toleranceOff"}])"));
+  change([](Level& level) { level.sculpture.tolerancePixels = 0; });
+  nextStep(editor);
+  evaluate(editor);
+  EXPECT_TRUE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, AStateThatTheStepsOwnStartWouldHaveTakenBackIsNoneOfTheStudents) {
+  open(step("look", "[]") + "," +
+       step("on", R"([{"when": "toleranceOn"}])", "", startingWith(R"({"tolerance": "off"})")));
+  nextStep(editor);  // with refinement on, as the level is
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done);
+  EXPECT_TRUE(isStartMissed(editor.lesson));
+  openStep(editor, 1);
+  evaluate(editor);
+  EXPECT_FALSE(isStartMissed(editor.lesson));
+  change([](Level& level) { level.sculpture.tolerancePixels = 1; });
+  EXPECT_TRUE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, AnEventCountsOnlyWhileTheStepIsOpen) {
+  open(step("first", "[]") + "," + step("look", R"([{"when": "lookedThrough"}])") + "," +
+       step("eye", R"([{"when": "movedEye"}])") + "," + step("vertex", R"([{"when": "pickedVertex"}])"));
+  toggleLookThrough(editor);
+  evaluate(editor);
+  change([](Level& level) { level.camera.eye.x += 1; });
+  pickPoint(editor, PickedPoint{3, 1, 0});
+  for (int i = 0; i < 3; ++i) {
+    nextStep(editor);
+    evaluate(editor);
+    EXPECT_FALSE(editor.lesson.done) << editor.lesson.open().id;
+  }
+  pickPoint(editor, PickedPoint{5, 1, 0});
+  evaluate(editor);
+  EXPECT_TRUE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, StatesHaveToHoldTogether) {
+  open(step("free", R"([{"when": "keptEye"}, {"when": "depthScaleAbove", "value": 2}])"));
+  change([](Level& level) { level.camera.eye.x += 1; });
+  change([](Level& level) { level.sculpture.depthScale = 3; });
+  EXPECT_FALSE(editor.lesson.done) << "the eye has gone";
+  change([](Level& level) { level.camera.eye.x -= 1; });
+  EXPECT_TRUE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, BackAndAJumpRestoreWhatAStepBeginsWithAndNextDoesNot) {
+  const auto startAt = [](double k) { return startingWith("{\"depthScale\": " + std::to_string(k) + "}"); };
+  open(step("a", "[]") + "," + step("b", "[]", "", startAt(0.5)) + "," + step("c", "[]", "", startAt(2)));
+  const Level file = editor.session.level();
+  change([](Level& level) {
+    level.sculpture.depthScale = 1.1;
+    level.camera.eye.x += 1;
+  });
+  const Level own = editor.session.level();
+  nextStep(editor);
+  EXPECT_EQ(editor.session.level(), own);
+  EXPECT_TRUE(isStartMissed(editor.lesson));
+  nextStep(editor);
+  previousStep(editor);
+  Level wanted = file;
+  wanted.sculpture.depthScale = 0.5;
+  EXPECT_EQ(editor.session.level(), wanted);
+  EXPECT_FALSE(isStartMissed(editor.lesson));
+  EXPECT_FALSE(editor.message.empty()) << "it is said";
+  openStep(editor, 0);
+  EXPECT_EQ(editor.session.level(), file);
+  editor.session.undo();
+  editor.session.undo();
+  EXPECT_EQ(editor.session.level(), own) << "nothing is lost";
+}
+
+TEST_F(LessonRunTest, ALevelIsReopenedWithWhatTheStepBeginsWith) {
+  editor.progress = {{"test", {"a"}}};
+  open(step("a", "[]") + "," +
+       step("b", R"([{"when": "depthScaleChanged"}])", "",
+            startingWith(R"({"depthScale": 0.5, "preview": "wipe"})")));
+  EXPECT_EQ(editor.lesson.step, 1u);
+  EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
+  EXPECT_EQ(editor.preview.tab, PreviewTab::wipe);
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done);
+}
+
+TEST_F(LessonRunTest, NumbersThatAreNearEnoughAreNotOffered) {
+  open(step("a", "[]") + "," +
+       step("b", "[]", "", startingWith(R"({"depthScale": 0.5, "eye": [0, -12, 6], "tolerance": "off"})")));
+  struct Case {
+    double depthScale;
+    Point eye;
+    double tolerance;
+    bool missed;
+  };
+  for (const Case& given :
+       {Case{0.5, {0, -12, 6}, 0, false}, Case{0.45, {1, -11, 6}, 0, false}, Case{1, {0, -12, 6}, 0, true},
+        Case{0.5, {0, -12, 12}, 0, true}, Case{0.5, {0, -12, 6}, 0.5, true}}) {
+    openStep(editor, 0);
+    change([&](Level& level) {
+      level.sculpture.depthScale = given.depthScale;
+      level.camera.eye = given.eye;
+      level.sculpture.tolerancePixels = given.tolerance;
+    });
+    nextStep(editor);
+    EXPECT_EQ(isStartMissed(editor.lesson), given.missed)
+        << given.depthScale << " " << given.eye.z << " " << given.tolerance;
+  }
+}
+
+TEST_F(LessonRunTest, AQuestionHasToBeAnsweredRight) {
+  open(step("ask", R"([{"when": "movedEye"}])", R"({"eye": [1, -10, 5]})",
+            R"(, "ask": {"text": "Q", "answers": [{"text": "A", "reply": "no"},
+                {"text": "B", "reply": "yes", "right": true}]})"));
+  change([](Level& level) { level.camera.eye.x += 1; });
+  EXPECT_FALSE(editor.lesson.done);
+  answerStep(editor, 0);
+  evaluate(editor);
+  EXPECT_FALSE(isAnswered(editor.lesson) || editor.lesson.done);
+  answerStep(editor, 7);
+  EXPECT_EQ(editor.lesson.answer, 0u) << "there is no such answer";
+  answerStep(editor, 1);
+  evaluate(editor);
+  EXPECT_TRUE(isAnswered(editor.lesson) && editor.lesson.done);
+  openStep(editor, 0);
+  EXPECT_FALSE(isAnswered(editor.lesson)) << "asked anew";
+  playStep(editor);
+  EXPECT_TRUE(isAnswered(editor.lesson));
+}
+
+TEST_F(LessonRunTest, TwoVerticesAreShownAndTheirEndsTold) {
+  open(step("ends", R"([{"when": "pickedEnds"}])"));
+  const auto pick = [&](const Point& corner) {
+    const Mesh& mesh = *editor.updater.result().original.mesh;
+    for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+      if (glm::length(mesh.positions[i] - corner) < 1e-9) pickPoint(editor, pickedVertex(mesh, i));
+    }
+    evaluate(editor);
+  };
+  const Box box = originalBox(editor);
+  pick(box.min);
+  EXPECT_TRUE(currentConstruction(editor) && !earlierConstruction(editor));
+  pick({box.min.x, box.min.y, box.max.z});
+  EXPECT_FALSE(editor.lesson.done) << "of the same end";
+  pick({box.max.x, box.min.y, box.min.z});
+  EXPECT_TRUE(editor.lesson.done);
+  EXPECT_EQ(currentConstruction(editor)->ray.original.x, box.max.x);
+  EXPECT_EQ(earlierConstruction(editor)->ray.original.x, box.min.x);
+  pickCell(editor, GridCell{1, 1});
+  EXPECT_FALSE(editor.point || editor.earlierPoint) << "one pixel alone";
+  pick(box.min);
+  EXPECT_FALSE(editor.cell || editor.earlierPoint);
+}
+
+TEST_F(LessonRunTest, RaysStandStillInTheirStepOnly) {
+  const auto pause = [&] {
+    editor.rays.animate = editor.rays.sequential = editor.animationPaused = true;
+    editor.animationSeconds = 3;
+  };
+  const auto rests = [&] {
+    return editor.rays.animate || editor.rays.sequential || editor.animationPaused ||
+           editor.animationSeconds != 0;
+  };
+  open(step("a", "[]") + "," + step("b", "[]"));
+  pause();
+  nextStep(editor);
+  EXPECT_FALSE(rests());
+  pause();
+  previousStep(editor);
+  EXPECT_FALSE(rests());
+  pause();
+  openLevel(editor, folder_.path());
+  EXPECT_FALSE(rests());
+}
+
+TEST_F(LessonRunTest, FiguresThatAStepCanAskFor) {
+  open(step("high", R"([{"when": "eyeAbove", "value": 9}])") + "," +
+       step("away", R"([{"when": "eyeAway", "value": 30}])") + "," +
+       step("k", R"([{"when": "depthScaleBelow", "value": 0.5}])") + "," +
+       step("coarse", R"([{"when": "verticesBelow", "value": 9}])") + "," +
+       step("wipe", R"([{"when": "wiped"}])"));
+  const std::vector<std::function<void()>> moves{
+      [&] { change([](Level& level) { level.camera.eye.z = 9.5; }); },
+      [&] { change([](Level& level) { level.camera.eye.y = -40; }); },
+      [&] { change([](Level& level) { level.sculpture.depthScale = 0.4; }); },
+      [&] { change([](Level& level) { std::get<BoxShape>(level.original.shape).segments = 1; }); },
+      [&] {
+        editor.preview.tab = PreviewTab::wipe;
+        editor.preview.wipe = 0.7;
+        evaluate(editor);
+      }};
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    openStep(editor, i);
+    evaluate(editor);
+    EXPECT_FALSE(editor.lesson.done) << editor.lesson.open().id;
+    moves[i]();
+    EXPECT_TRUE(editor.lesson.done) << editor.lesson.open().id;
+  }
 }
 
 TEST_F(LessonRunTest, TheMatchIsJudgedWhenItIsSettled) {
@@ -249,7 +455,7 @@ TEST_F(LessonRunTest, EveryPartOfAMove) {
   EXPECT_EQ(level.sculpture.tolerancePixels, 0);
   EXPECT_TRUE(std::holds_alternative<PawnShape>(level.original.shape));
   EXPECT_EQ(editor.pose.eye, Point(9, -9, 9));
-  EXPECT_TRUE(editor.point);
+  EXPECT_FALSE(editor.point) << "the pixel, which comes last, is alone";
   EXPECT_EQ(editor.cell, (GridCell{2, 5}));
   EXPECT_EQ(editor.preview.tab, PreviewTab::wipe);
   EXPECT_EQ(editor.rays.source, RaySource::pixels);

@@ -71,7 +71,7 @@ inline void checkFinite(const Image& image) {
     CHECK(std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z));
 }
 
-// Every move that "show me" makes: what is left is a level that can be saved.
+// Every move that "do it" makes: what is left is a level that can be saved.
 inline Level afterItsLesson(const Level& level) {
   Editor editor({}, 1);
   editor.session.startNew(level);

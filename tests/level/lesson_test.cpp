@@ -24,15 +24,17 @@ TEST(LessonJson, ReadsEveryField) {
   const Lesson lesson = parseLesson(R"({"id": "l", "badge": {"title": "B", "text": "C"}, "steps": [
     {"id": "s", "title": "T", "why": "W", "do": "D", "notice": "N", "figure": "construction", "optional": true,
      "done": [{"when": "viewed", "what": "difference"}, {"when": "matchBelow", "value": 0.5}],
+     "ask": {"text": "Q", "answers": [{"text": "A", "reply": "No"}, {"text": "B", "reply": "Yes", "right": true}]},
+     "start": {"eye": [0, 1, 2], "putRight": ["normal", "distance"]},
      "show": {"tab": "rays", "widget": "Show", "play": {
        "eye": [1, 2, 3], "original": [4, 5, 6], "mirror": [7, 8, 9], "depthScale": 2, "tolerance": "off",
-       "fovDegrees": 30, "morph": 0.25, "viewEye": [1, 1, 1], "viewTarget": [2, 2, 2], "vertex": 7,
-       "pixel": [3, 4], "preview": "wipe", "rays": "pixels", "putRight": "normal", "shape": "pawn",
+       "fovDegrees": 30, "morph": 0.25, "viewEye": [1, 1, 1], "viewTarget": [2, 2, 2], "wipe": 0.75, "vertex": 7,
+       "ends": [8, 9], "pixel": [3, 4], "preview": "wipe", "rays": "pixels", "putRight": "normal", "shape": "pawn",
        "segments": 5, "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "undo": true,
        "freeze": true}}}]})",
                                     "l.json");
   Lesson expected{"l", {"B", "C"}, {}};
-  LessonStep step{"s", "T", "W", "D", "N", "construction", true, {}, {"rays", "Show", StepMove{}}};
+  LessonStep step{"s", "T", "W", "D", "N", "construction", true, {}, {"rays", "Show", StepMove{}}, {}, {}};
   step.done = {{StepEvent::viewed, 0, "difference"}, {StepEvent::matchBelow, 0.5, ""}};
   StepMove& move = *step.show.play;
   move = {Point(1, 2, 3),
@@ -44,11 +46,13 @@ TEST(LessonJson, ReadsEveryField) {
           0.25,
           Point(1),
           Point(2),
+          0.75,
           7,
+          std::array{8, 9},
           std::array{3, 4},
           "wipe",
           "pixels",
-          "normal",
+          {"normal"},
           "pawn",
           5,
           "sphere",
@@ -57,6 +61,9 @@ TEST(LessonJson, ReadsEveryField) {
           true,
           true,
           true};
+  step.question = StepQuestion{"Q", {{"A", "No", false}, {"B", "Yes", true}}};
+  step.start.eye = Point(0, 1, 2);
+  step.start.putRight = {"normal", "distance"};
   expected.steps = {step};
   EXPECT_EQ(lesson, expected);
 }
@@ -116,6 +123,17 @@ INSTANTIATE_TEST_SUITE_P(
                   "\"wipe\", got \"cat\""},
         BadLesson{"PlayedNowhere", lessonWith("", "[]", R"({"play": {"eye": [1, 2]}})"),
                   "/lesson/steps/0/show/play/eye: expected an array of 3 numbers, got [1, 2]"},
+        BadLesson{"NoRightAnswer",
+                  lessonWith(R"(, "ask": {"text": "Q", "answers": [{"text": "A", "reply": "R"}]})"),
+                  "/lesson/steps/0/ask/answers: expected answers of which one is right, "
+                  "got [{\"text\": \"A\", \"reply\": \"R\"}]"},
+        BadLesson{
+            "StartsByUndoing", lessonWith(R"(, "start": {"undo": true})"),
+            "/lesson/steps/0/start: expected a move without morph, wipe, shape and undo, got an object"},
+        BadLesson{
+            "PutsRightNothingKnown", lessonWith("", "[]", R"({"play": {"putRight": ["normal", "cat"]}})"),
+            "/lesson/steps/0/show/play/putRight: expected \"direction\", \"distance\" or \"normal\", or "
+            "an array of some of them, got [\"normal\", \"cat\"]"},
         BadLesson{"SameIdTwice",
                   R"({"id": "l", "steps": [{"id": "s", "title": "", "why": "", "do": ""},
                                            {"id": "s", "title": "", "why": "", "do": ""}]})",

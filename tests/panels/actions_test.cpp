@@ -141,11 +141,24 @@ TEST(Actions, AKeyOfWhatCannotBeDoneDoesNothing) {
     advance(editor, 0.1);
     pressWhatIsDisabled(editor, ui, seen);
   }
-  const std::set<Action> notAlways{
-      Action::undo,           Action::redo,          Action::resetLevel,        Action::reload,
-      Action::pauseRays,      Action::previousStep,  Action::nextStep,          Action::showStep,
-      Action::rayStepForward, Action::rayStepBack,   Action::nextPanel,         Action::nextLevel,
-      Action::previousPanel,  Action::previousLevel, Action::copyLevelWithMesh, Action::toggleFrozen};
+  const std::set<Action> notAlways{Action::undo,
+                                   Action::redo,
+                                   Action::resetLevel,
+                                   Action::reload,
+                                   Action::pauseRays,
+                                   Action::previousStep,
+                                   Action::nextStep,
+                                   Action::restartStep,
+                                   Action::pointAtStep,
+                                   Action::playStep,
+                                   Action::rayStepForward,
+                                   Action::rayStepBack,
+                                   Action::nextPanel,
+                                   Action::nextLevel,
+                                   Action::previousPanel,
+                                   Action::previousLevel,
+                                   Action::copyLevelWithMesh,
+                                   Action::toggleFrozen};
   EXPECT_EQ(seen, notAlways);
 }
 
@@ -155,8 +168,8 @@ TEST(Actions, CanBeDoneAgainAsSoonAsThereIsWhatTheyAreAbout) {
   ui.levels = listLevels(levels);
   openLevel(editor, ui.levels.at(1).path);
   advance(editor, 0.1);
-  for (const Action action :
-       {Action::reload, Action::previousLevel, Action::nextLevel, Action::nextStep, Action::showStep})
+  for (const Action action : {Action::reload, Action::previousLevel, Action::nextLevel, Action::nextStep,
+                              Action::restartStep, Action::pointAtStep, Action::playStep})
     EXPECT_TRUE(isEnabled(action, editor, ui)) << rowOf(action).name;
   EXPECT_FALSE(isEnabled(Action::previousStep, editor, ui)) << "it is the first";
   perform(Action::nextStep, editor, ui);
@@ -229,8 +242,10 @@ TEST(Actions, NoneHarmsALevelInAnyOrder) {
     for (int i = 0; i < 60; ++i) {
       const auto actions = allActions();
       const Action action = actions[static_cast<std::size_t>(random.integer(0, int(actions.size()) - 1))];
-      // The lesson's move and freezing do change the level.
-      if (action == Action::showStep || action == Action::toggleFrozen) continue;
+      // The moves and the starts of a lesson's steps and freezing do change the level.
+      if (std::set{Action::playStep, Action::previousStep, Action::restartStep, Action::toggleFrozen}
+              .contains(action))
+        continue;
       perform(action, editor, ui);
       if (i % 3 == 0) advance(editor, 0.05);
       EXPECT_TRUE(isFinite(editor.pose.eye) && isFinite(editor.pose.target) && isFinite(editor.pose.up));

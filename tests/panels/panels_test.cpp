@@ -1,5 +1,6 @@
 #include "panels/panels.h"
 
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -207,6 +208,26 @@ TEST_F(NumberRow, UndoWhileItIsDraggedEndsTheDrag) {
   EXPECT_EQ(editor.session.level(), opened);
   letGo();
   EXPECT_FALSE(editor.session.canUndo());
+}
+
+TEST_F(NumberRow, ADragOfTheDepthScaleMeetsOne) {
+  editor.selection = {Part::sculpture};
+  frames(3);
+  const auto at = dragRow([](const Level& before, const Level& now) {
+    return before.sculpture.depthScale != now.sculpture.depthScale;
+  });
+  ASSERT_TRUE(at);
+  const Rect& rect = ui.layout.properties;
+  int ones = 0;
+  for (float x = at->x; x < rect.x + rect.width; ++x) {
+    moveMouse(x, at->y);
+    frame();
+    const double k = editor.session.level().sculpture.depthScale;
+    ones += k == 1 ? 1 : 0;
+    EXPECT_TRUE(k == 1 || std::abs(k - 1) > 0.03) << k;
+  }
+  EXPECT_GE(ones, 2) << "pixels";
+  letGo();
 }
 
 TEST_F(NumberRow, CheckBoxIsOneStep) {

@@ -1,0 +1,103 @@
+#include "edit/lesson_move.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "edit/level_edits.h"
+#include "edit/replacements.h"
+#include "level/freeze.h"
+#include "level/level_fields.h"
+
+namespace anamorph {
+namespace {
+
+// The number of a name in one of the lists of level_fields.h.
+template <typename Names>
+std::size_t numberOf(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void putRight(Mistakes& mistakes, const std::string& which) {
+  if (which == "direction") mistakes.direction = false;
+  if (which == "distance") mistakes.distance = false;
+  if (which == "normal") mistakes.normal = false;
+}
+
+void pickVertex(Editor& editor, int vertex) {
+  const auto& mesh = editor.updater.result().original.mesh;
+  if (mesh) pickPoint(editor, pickedVertex(*mesh, static_cast<std::uint32_t>(vertex)));
+}
+
+void showRays(Editor& editor, const StepMove& move) {
+  if (!move.rays.empty()) {
+    editor.rays.show = true;
+    editor.rays.source = move.rays == "pixels" ? RaySource::pixels : RaySource::vertices;
+  }
+  if (move.animate) {
+    restRays(editor);
+    editor.rays.show = editor.rays.animate = true;
+  }
+}
+
+}  // namespace
+
+double eased(double t) {
+  return t * t * (3 - 2 * t);
+}
+
+Level levelAt(const StepMove& move, const Level& begun, double fraction) {
+  Level level = begun;
+  const auto towards = [&](auto& value, const auto& goal) {
+    if (goal) value = fraction >= 1 ? *goal : glm::mix(value, *goal, eased(fraction));
+  };
+  towards(level.camera.eye, move.eye);
+  towards(level.original.placement.position, move.original);
+  towards(level.sculpture.depthScale, move.depthScale);
+  towards(level.camera.fovDegrees, move.fovDegrees);
+  if (move.mirror) {
+    const Vector way = *move.mirror - middleOf(begun.optic.shape());
+    level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
+  }
+  return level;
+}
+
+Level begun(const StepMove& move, Level level, const Box& box) {
+  if (!move.shape.empty()) level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), box);
+  if (!move.mirrorKind.empty()) {
+    level.optic.shape() =
+        mirrorOfKind(numberOf(shapeNames(), move.mirrorKind), level.optic.shape(), level.camera.eye);
+  }
+  if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
+  if (auto* made = std::get_if<BoxShape>(&level.original.shape); made && move.segments) {
+    made->segments = *move.segments;
+  }
+  for (const std::string& mistake : move.putRight) putRight(level.sculpture.mistakes, mistake);
+  if (!move.freeze) return level;
+  level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
+  return frozen(std::move(level));
+}
+
+void moveView(Editor& editor, const StepMove& move) {
+  if (move.viewEye || move.viewTarget) {
+    ViewPose pose = editor.pose;
+    pose.eye = move.viewEye.value_or(pose.eye);
+    pose.target = move.viewTarget.value_or(pose.target);
+    pose.up = {0, 0, 1};
+    flyTo(editor, pose);
+  }
+  if (move.lookThrough && !editor.lookingThrough) toggleLookThrough(editor);
+  if (!move.preview.empty()) {
+    editor.preview.tab = static_cast<PreviewTab>(numberOf(previewTabs, move.preview));
+  }
+  showRays(editor, move);
+  if (move.wireframe) editor.display.wireframe = true;
+  if (move.vertex) pickVertex(editor, *move.vertex);
+  if (move.ends) {
+    for (const int vertex : *move.ends) pickVertex(editor, vertex);
+  }
+  if (move.pixel) pickCell(editor, GridCell{(*move.pixel)[0], (*move.pixel)[1]});
+  if (move.undo) editor.session.undo();
+}
+
+}  // namespace anamorph
