@@ -57,7 +57,7 @@ void saveTo(const fs::path& path, Editor& editor, UiState& ui) {
   try {
     const std::vector<std::string> lost = editor.session.saveTo(path);
     rememberLevel(ui, path);
-    editor.message = withRemarks(trFormat("Saved: {}", path.string()), lost);
+    editor.status.sayOf(editor.session.level(), withRemarks(trFormat("Saved: {}", path.string()), lost));
   } catch (const Error& error) {
     ui.unsaved.reset();
     ui.notice = Notice{"The level could not be saved", error.what()};

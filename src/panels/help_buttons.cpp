@@ -85,7 +85,8 @@ void behindButton(Editor& editor) {
   }
   editor.session.finishChange();
   const Level behind = originalMovedBehind(editor.session.level(), originalBox(editor));
-  if (behind == editor.session.level()) editor.message = tr("The original is behind the mirror already.");
+  if (behind == editor.session.level())
+    editor.status.sayOf(behind, tr("The original is behind the mirror already."));
   editor.session.edit(behind);
 }
 
