@@ -124,8 +124,7 @@ void drawGizmo(const Ink& ink, const Gizmo& gizmo) {
   }
 }
 
-void drawConstruction(const Ink& ink, const Construction& construction) {
-  Labels labels(ink);
+void drawConstruction(const Ink& ink, Labels& labels, const Construction& construction) {
   for (const ConstructionLabel& label : construction.points) {
     const auto pixel = ink.find(label.at);
     if (!pixel) continue;
@@ -214,9 +213,12 @@ void drawView(Editor& editor, UiState& ui) {
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
-  if (const auto& construction = currentConstruction(editor)) drawConstruction(ink, *construction);
-  drawGizmo(ink,
-            emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
+  Labels labels(ink);
+  if (const auto& construction = currentConstruction(editor)) drawConstruction(ink, labels, *construction);
+  const ShownGizmo shown = currentGizmo(editor, ui);
+  drawGizmo(ink, emphasised(shown.gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
+  if (const auto at = shown.label ? ink.find(shown.label->at) : std::nullopt)
+    labels.draw(*at, shown.label->text, ink::of(palette::distanceLabel));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   ImGui::End();
