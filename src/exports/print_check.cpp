@@ -28,7 +28,7 @@ std::string pairsOf(const SelfCrossings& crossings) {
 }
 
 std::string placeOf(const Point& p) {
-  return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
+  return shownFormat("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
 }
 
 std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
@@ -126,7 +126,7 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   const Vector size = check.box.empty() ? Vector(0) : check.box.size();
   std::vector<std::pair<std::string, std::string>> rows;
   const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
-  line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
+  line("size", shownFormat("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
   line("triangles", trFormat("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
                              check.vertices, countOf(topology.shells, "part", "parts")));
   line("closed", topology.borderEdges == 0
@@ -148,10 +148,10 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   if (check.walls.samples > 0) {
     line("walls",
          trFormat("99 % thicker than {:.2f} mm; thinnest found {} mm near {}", check.walls.firstPercentile,
-                  check.walls.least < 0.01 ? "< 0.01" : fmt::format("{:.2f}", check.walls.least),
+                  check.walls.least < 0.01 ? "< 0.01" : shownFormat("{:.2f}", check.walls.least),
                   placeOf(check.walls.leastAt)));
   }
-  if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
+  if (topology.isSound()) line("volume", shownFormat("{:.2f} cm3", check.volume / 1000));
   return rows;
 }
 

@@ -1,5 +1,5 @@
 // Reads fields out of a JSON object, strictly: a wrong type, a value out of its range and a missing key throw
-// Error with the JSON pointer, `/optic/shape/radius: expected a number from 1e-06 to 1e+06, got -4`. An
+// Error with the JSON pointer, `/optic/shape/radius: expected a number from 0.000001 to 1000000, got -4`. An
 // absent key that is not needed leaves the value as it is. Which fields there are is said by functions
 // fields(at, part), found by the type of the part, once for reading and for writing (field_writer.h).
 #pragma once
