@@ -1,6 +1,7 @@
 #include "base/language.h"
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 
 namespace anamorph {
@@ -45,7 +46,7 @@ std::string tr(const std::string& english) {
 std::string shownNumber(double value, std::string_view spec) {
   const std::string format = "{:" + std::string(spec) + "}";
   std::string text = withoutExponent(fmt::vformat(format, fmt::make_format_args(value)));
-  const bool isZero = text.find_first_of("123456789nf") == std::string::npos;  // of nan and inf, too
+  const bool isZero = std::isfinite(value) && text.find_first_of("123456789") == std::string::npos;
   if (isZero && text.starts_with('-')) text.erase(0, 1);
   if (const std::size_t point = text.find('.'); point != std::string::npos)
     text.replace(point, 1, decimalSign());

@@ -25,7 +25,7 @@ bool drawWrapped(const std::string& text, float leastHeight) {
   ImGui::SetCursorScreenPos({p.x + padding.x, p.y + padding.y});
   paragraph(text, ImGui::GetCursorPosX() + room);
   ImGui::SetCursorScreenPos(p);
-  const bool pressed = ImGui::InvisibleButton("shown", {width, height});
+  const bool pressed = ImGui::InvisibleButton("##shown", {width, height});
   ImGui::RenderNavHighlight({p, end}, ImGui::GetItemID());
   return pressed;
 }
@@ -34,7 +34,7 @@ bool drawWrapped(const std::string& text, float leastHeight) {
 
 bool wrappedField(std::string& value, float height, TypingLimit& limit) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID("typing");
+  const ImGuiID id = ImGui::GetID("##typing");
   const int state = storage.GetInt(id, shown);
   if (state == shown) {
     if (drawWrapped(value, height)) storage.SetInt(id, begins);
