@@ -90,7 +90,10 @@ void main() {
   if (ghostMesh.surface >= 0) {
     ghost = ghostColor(meshHit(ghostMesh, corners, ray), ray);
     ghostT = ghostMesh.t;
-    if (ghostT > hit.t) ghost.a *= hit.kind == hitMirror ? 0.35 : 0.0;
+    // It is seen through the mirror, but neither over what the mirror shows of the sculpture nor over a sculpture in
+    // the same place: their colours would mix to one that neither has.
+    bool through = hit.kind == hitMirror && lastKind != hitMesh;
+    if (ghostT > (1.0 - 1e-3) * hit.t) ghost.a *= through ? 0.35 : 0.0;
   }
 #endif
   float screenT;

@@ -61,6 +61,8 @@ vec3 shade(Hit hit, Ray ray, float travelled, int shadowFlag) {
   return color;
 }
 
+int lastKind = hitNothing;  // what the ray of trace() has met last, behind all mirrors
+
 // The colour along a ray whose first hit is known.
 vec3 trace(Ray ray, Hit hit) {
 #ifdef TRACED
@@ -68,6 +70,7 @@ vec3 trace(Ray ray, Hit hit) {
   float travelled = 0.0;
   for (int depth = 0; depth <= counts.y; ++depth) {
     if (depth > 0) hit = findHit(ray);
+    lastKind = hit.kind;
     if (hit.kind != hitMirror) {
       return color + weight * shade(hit, ray, travelled + hit.t, depth == 0 ? castsShadow : castsInMirror);
     }

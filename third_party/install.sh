@@ -16,7 +16,7 @@ optional=()  # installed where the system has them; what uses them is left out e
 for argument in "$@"; do
   case "$argument" in
     --tests)
-      packages+=(libgtest-dev libgmock-dev xvfb xauth xdotool gettext python3-jsonschema)
+      packages+=(libgtest-dev libgmock-dev xvfb xauth xdotool gettext python3-jsonschema fonts-wqy-microhei)
       optional+=(clang-14 libc++-14-dev)  # the core also has to compile for the web's toolchain
       ;;
     --benchmarks)

@@ -11,6 +11,10 @@ namespace anamorph {
 void ExportJob::update(Editor& editor, UiState& ui) {
   ExportDialog& dialog = ui.exporting;
   const LevelResult& result = editor.updater.result();
+  if (!(level_ == editor.session.level())) {
+    level_ = editor.session.level();
+    if (!dialog.running) dialog.say("");  // it was about another one
+  }
   if (std::exchange(ui.requests.startExport, false)) {
     waiting_ = Task::write;
     writing_ = dialog.request.path;

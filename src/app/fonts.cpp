@@ -1,10 +1,13 @@
 #include "app/fonts.h"
 
+#include <algorithm>
 #include <optional>
-#include <string>
 
-#include <fontconfig/fontconfig.h>
 #include <imgui.h>
+#include <imgui_internal.h>
+
+#include "app/scripts.h"
+#include "base/language.h"
 
 namespace anamorph {
 namespace {
@@ -13,56 +16,119 @@ namespace {
 constexpr ImWchar ranges[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2000, 0x206f, 0x2190,
                               0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
 
-constexpr ImWchar fewRanges[] = {0x20, 0x17f, 0x391, 0x3c9, 0x2010, 0x2026, 0x2212, 0x2212, 0};
+constexpr ImWchar fewRanges[] = {0x20,   0x17f,  0x391,  0x3c9,  0x2010, 0x2026,
+                                 0x2212, 0x2212, 0x25af, 0x25af, 0};
+constexpr ImWchar missingLetter = 0x25af;  // a small empty frame
+constexpr std::size_t mostLetters =
+    3000;  // beyond what is always there; the texture has to fit the graphics card
 
-// The file of a font of exactly this family; fontconfig always offers something, which may lack what is
-// needed.
-std::optional<std::string> findFont(const char* family, bool bold) {
-  FcPattern* pattern = FcPatternCreate();
-  FcPatternAddString(pattern, FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-  FcPatternAddInteger(pattern, FC_WEIGHT, bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR);
-  FcPatternAddInteger(pattern, FC_SLANT, FC_SLANT_ROMAN);
-  FcConfigSubstitute(nullptr, pattern, FcMatchPattern);
-  FcDefaultSubstitute(pattern);
-  FcResult result = FcResultNoMatch;
-  FcPattern* match = FcFontMatch(nullptr, pattern, &result);
-  std::optional<std::string> file;
-  FcChar8 *path = nullptr, *found = nullptr;
-  if (match && FcPatternGetString(match, FC_FILE, 0, &path) == FcResultMatch &&
-      FcPatternGetString(match, FC_FAMILY, 0, &found) == FcResultMatch &&
-      std::string(reinterpret_cast<const char*>(found)) == family) {
-    file = reinterpret_cast<const char*>(path);
+bool isAlwaysThere(ImWchar letter) {
+  for (const ImWchar* range = ranges; range[0]; range += 2) {
+    if (letter >= range[0] && letter <= range[1]) return true;
   }
-  if (match) FcPatternDestroy(match);
-  FcPatternDestroy(pattern);
-  return file;
+  return letter < ranges[0];
 }
 
-ImFont* addFont(const std::optional<std::string>& file, double pixels, const ImWchar* glyphs = ranges) {
-  if (!file) return nullptr;
-  return ImGui::GetIO().Fonts->AddFontFromFileTTF(file->c_str(), static_cast<float>(pixels), nullptr, glyphs);
+// Without those that need shaping, and no more than fit.
+Letters drawableOf(const Letters& letters) {
+  Letters drawable;
+  for (const char32_t letter : letters) {
+    if (!findShapedScript(letter) && drawable.size() < mostLetters) drawable.insert(letter);
+  }
+  return drawable;
 }
+
+// Dear ImGui's list of first and last letters, which has to live until the fonts are built.
+std::vector<ImWchar> rangesOf(const Letters& letters) {
+  std::vector<ImWchar> list;
+  for (const char32_t letter : letters) {
+    const auto code = static_cast<ImWchar>(letter);
+    list.insert(list.end(), {code, code});
+  }
+  list.push_back(0);
+  return list;
+}
+
+// Fonts with letters of other files in them.
+class FontMaker {
+ public:
+  explicit FontMaker(const Letters& letters) : files_(findFontsFor(drawableOf(letters))) {
+    for (const FontFile& file : files_) ranges_.push_back(rangesOf(file.letters));
+  }
+
+  ImFont* add(const std::optional<std::string>& file, double pixels, const ImWchar* glyphs = ranges) const {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    const auto size = static_cast<float>(pixels);
+    ImFontConfig config;
+    config.SizePixels = size;
+    ImFont* const font =
+        file ? atlas.AddFontFromFileTTF(file->c_str(), size, nullptr, glyphs) : atlas.AddFontDefault(&config);
+    font->FallbackChar = missingLetter;
+    config.MergeMode = true;
+    config.OversampleH = 1;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      config.FontNo = files_[i].index & 0xffff;  // above are the instances of a variable font
+      atlas.AddFontFromFileTTF(files_[i].path.c_str(), size, &config, ranges_[i].data());
+    }
+    return font;
+  }
+
+ private:
+  std::vector<FontFile> files_;
+  std::vector<std::vector<ImWchar>> ranges_;
+};
 
 }  // namespace
 
-Fonts loadFonts(double pixels, bool huge) {
+void addLetters(std::string_view text, Letters& letters) {
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    if (static_cast<unsigned char>(*at) < 0x80) {
+      ++at;
+      continue;
+    }
+    unsigned int letter = 0;
+    at += std::max(1, ImTextCharFromUtf8(&letter, at, end));
+    if (letter != IM_UNICODE_CODEPOINT_INVALID && !isAlwaysThere(static_cast<ImWchar>(letter)))
+      letters.insert(letter);
+  }
+}
+
+Fonts loadFonts(double pixels, bool huge, const Letters& letters) {
   static const std::optional<std::string> regular = findFont("DejaVu Sans", false),
                                           bold = findFont("DejaVu Sans", true);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
+  const FontMaker maker(letters);
   Fonts fonts;
-  fonts.text = addFont(regular, pixels);
-  fonts.strong = addFont(bold ? bold : regular, pixels);
-  fonts.title = addFont(bold ? bold : regular, 1.25 * pixels);
-  if (!fonts.text) {
-    ImFontConfig config;
-    config.SizePixels = static_cast<float>(pixels);
-    fonts.text = atlas.AddFontDefault(&config);
+  fonts.text = maker.add(regular, pixels);
+  if (!regular) {
     fonts.huge = huge ? fonts.text : nullptr;
-    return fonts;
+  } else {
+    fonts.strong = maker.add(bold ? bold : regular, pixels);
+    fonts.title = maker.add(bold ? bold : regular, 1.25 * pixels);
+    if (huge) fonts.huge = maker.add(regular, 1.75 * pixels, fewRanges);
   }
-  if (huge) fonts.huge = addFont(regular, 1.75 * pixels, fewRanges);
+  atlas.Build();
   return fonts;
+}
+
+std::vector<std::string> explainMissing(const Letters& letters) {
+  std::vector<std::string> sentences;
+  const auto say = [&](const std::string& sentence) {
+    if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+      sentences.push_back(sentence);
+  };
+  for (const char32_t letter : letters) {
+    if (const char* script = findShapedScript(letter))
+      say(trFormat("This text needs {} letters, which this program cannot draw.", tr(script)));
+  }
+  std::size_t found = 0;
+  const Letters drawable = drawableOf(letters);
+  for (const FontFile& file : findFontsFor(drawable)) found += file.letters.size();
+  if (found < drawable.size())
+    say(tr("This text needs letters that no font of this computer has; install a font for its language."));
+  return sentences;
 }
 
 }  // namespace anamorph

@@ -20,6 +20,7 @@
 #include "panels/key_input.h"
 #include "panels/level_sharing.h"
 #include "panels/panels.h"
+#include "panels/shown_texts.h"
 #include "panels/style.h"
 #include "panels/view_mouse.h"
 #include "panels/widgets.h"
@@ -144,22 +145,39 @@ void Gui::refreshLanguage() {
   if (language_ == ui_.preferences.language) return;
   language_ = ui_.preferences.language;
   try {
-    chooseLanguage(*language_);
+    languageLetters_.clear();
+    const TextTable* texts = chooseLanguage(*language_);
+    if (!texts) return;
+    for (const auto& [english, text] : *texts) addLetters(text, languageLetters_);
   } catch (const Error& error) {
-    editor_->message = error.what();
+    editor_->status.say(error.what());
+  }
+}
+
+// The fonts are loaded anew when a text needs a letter that they were not loaded with.
+void Gui::refreshLetters() {
+  Letters needed = languageLetters_;
+  forEachShownText(*editor_, ui_, [&](std::string_view text) { addLetters(text, needed); });
+  if (std::includes(letters_.begin(), letters_.end(), needed.begin(), needed.end())) return;
+  letters_ = std::move(needed);
+  ImGui::GetIO().Fonts->Clear();
+  for (const std::string& sentence : explainMissing(letters_)) {
+    if (explained_.insert(sentence).second) editor_->status.say(sentence);
   }
 }
 
 void Gui::refreshStyle() {
   const Preferences& p = ui_.preferences;
-  const double scale = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme) * shotFactor_;
+  const double wanted = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const double scale = fittingScale(wanted, display.x / shotFactor_, display.y / shotFactor_) * shotFactor_;
   const bool asBefore =
       ui_.scale == scale && ui_.theme == p.theme && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
   ui_.theme = p.theme;
   ui_.scale = scale;
   applyStyle(p.theme, scale);
-  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale), ui_.presenting);
+  ui_.fonts = loadFonts(std::round(textPixels * ui_.scale), ui_.presenting, letters_);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -249,6 +267,7 @@ void Gui::beginFrame(double seconds) {
   ImGui::SetCurrentContext(context_);
   ImGui::GetIO().DeltaTime = static_cast<float>(std::max(1e-4, seconds));
   refreshLanguage();
+  refreshLetters();
   refreshStyle();
   ImGui_ImplOpenGL3_NewFrame();
   times_.panels = timed([&] {

@@ -8,10 +8,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/export_job.h"
+#include "app/font_files.h"
 #include "app/image_texture.h"
 #include "app/quality.h"
 #include "app/render_job.h"
@@ -86,6 +88,7 @@ class Gui {
 
  private:
   void refreshLanguage();
+  void refreshLetters();
   void refreshStyle();
   void refreshTextures();
   void loadThumbnails();
@@ -111,6 +114,9 @@ class Gui {
 
   double screenScale_ = 1, shotFactor_ = 1;
   std::optional<std::string> language_;  // that is in force
+  Letters languageLetters_;              // of its texts
+  Letters letters_;                      // that the fonts were loaded with, as far as they have them
+  std::set<std::string> explained_;      // what was said of letters that cannot be drawn
   Level openingFrom_;                    // the level that was there when another was asked for
   bool transparent_ = false;
   bool software_;

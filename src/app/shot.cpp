@@ -25,7 +25,7 @@ class Undisturbed {
         size_(ImGui::GetIO().DisplaySize),
         scale_(ImGui::GetIO().DisplayFramebufferScale),
         mouse_(ImGui::GetIO().MousePos),
-        message_(std::exchange(gui.editor().message, "")),  // it is about the picture that is being made
+        status_(std::exchange(gui.editor().status, {})),  // it is about the picture that is being made
         panelsHidden_(gui.ui().panelsHidden),
         exportOpen_(gui.ui().exporting.open) {}
   ~Undisturbed() {
@@ -38,7 +38,7 @@ class Undisturbed {
     gui_.setShotFactor(1);
     gui_.setTransparent(false);
     gui_.ui().bare = false;
-    gui_.editor().message = message_;
+    gui_.editor().status = status_;
   }
   Undisturbed(const Undisturbed&) = delete;
   Undisturbed& operator=(const Undisturbed&) = delete;
@@ -50,7 +50,7 @@ class Undisturbed {
   SavedTarget target_;
   Gui& gui_;
   ImVec2 size_, scale_, mouse_;
-  std::string message_;
+  Status status_;
   bool panelsHidden_, exportOpen_;
 };
 

@@ -40,7 +40,7 @@ void say(Gui& gui, const std::string& text) {
   if (dialog.open) {
     dialog.say(text);
   } else {
-    gui.editor().message = text;
+    gui.editor().status.say(text);
   }
 }
 

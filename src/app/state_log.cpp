@@ -106,7 +106,7 @@ std::string stateLine(Gui& gui, std::size_t frame, const InputCounts& seen, bool
                          .add("exporting", ui.exporting.open)
                          .add("exported", std::size_t(editor.exported))
                          .add("tourCard", double(ui.tour.card))
-                         .add("message", editor.message)
+                         .add("message", editor.status.text())
                          .add("title", windowTitle(editor.session))
                          .add("job", editor.job.busy())
                          .add("opening", editor.opening.busy())

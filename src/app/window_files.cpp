@@ -56,7 +56,7 @@ bool WindowFiles::update(double now) {
   if (!ImGui::IsAnyMouseDown()) keepChanges(false);
   const std::optional<std::string> news = takeNews(),
                                    unkept = autosave_.update(editor.session, editor.leftLevels, now);
-  if (news || unkept) editor.message = unkept ? *unkept : *news;
+  if (news || unkept) editor.status.say(unkept ? *unkept : *news);
   return restored || news || unkept;
 }
 
@@ -119,7 +119,7 @@ void WindowFiles::restore(Rescued& rescued, std::optional<LevelFile> file) {
   editor.session.recover(rescued.path, std::move(file), rescued.level, rescued.fileTime);
   lookAfresh(editor);
   autosave_.adopt(std::move(rescued));
-  editor.message = tr("Restored. It is not saved yet.");
+  editor.status.sayOf(editor.session.level(), tr("Restored. It is not saved yet."));
 }
 
 // `again`: what has failed before is tried once more.

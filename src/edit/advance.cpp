@@ -38,7 +38,9 @@ bool advanceView(Editor& editor, double seconds) {
 }  // namespace
 
 bool advance(Editor& editor, double seconds) {
-  if (auto message = editor.job.update(editor.session)) editor.message = std::move(*message);
+  editor.status.update(editor.session.level());
+  if (auto message = editor.job.update(editor.session))
+    editor.status.sayOf(editor.session.level(), std::move(*message));
   dropStaleSelection(editor);
   bool changed = advancePlay(editor, seconds);
   changed |= advanceView(editor, seconds);

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "base/language.h"
 #include "pipeline/stages.h"
 
 namespace anamorph {
@@ -17,13 +16,13 @@ using Kind = ConstructionSegment::Kind;
 constexpr int arcSegments = 24;
 
 std::string pointText(const Point& p) {
-  return fmt::format("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
+  return shownFormat("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
 }
 std::string directionText(const Direction& d) {
-  return fmt::format("({:.3f}, {:.3f}, {:.3f})", d.x, d.y, d.z);
+  return shownFormat("({:.3f}, {:.3f}, {:.3f})", d.x, d.y, d.z);
 }
 std::string angleText(double angleDegrees) {
-  return fmt::format("{:.1f}°", angleDegrees);
+  return shownFormat("{:.1f}°", angleDegrees);
 }
 
 // From direction `from` to `to` (unit), turned at an even speed in their plane.
@@ -74,11 +73,11 @@ void addReflection(Construction& made, const VertexMap& map) {
     const bool isLast = i + 1 == ray.legs.size();
     made.segments.push_back({ray.legs[i].start, isLast ? end : ray.legs[i + 1].start, Kind::reflected});
   }
-  made.distances.push_back({0.5 * (last.start + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  made.distances.push_back({0.5 * (last.start + ray.original), shownFormat("d = {:.2f}", ray.distance)});
   if (!ray.mapped()) return;
   made.points.push_back({ray.sculpture, "S"});
   made.distances.push_back(
-      {0.5 * (last.start + end), fmt::format("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
+      {0.5 * (last.start + end), shownFormat("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
 }
 
 // Q with N and both angles; `from` is where the ray came from.
@@ -118,12 +117,12 @@ void addSight(Construction& made, double depthScale) {
   }
   made.segments.push_back({ray.eye, far, Kind::incident});
   made.points.push_back({canvas, "Q"});
-  made.distances.push_back({0.5 * (canvas + ray.original), fmt::format("d = {:.2f}", ray.distance)});
+  made.distances.push_back({0.5 * (canvas + ray.original), shownFormat("d = {:.2f}", ray.distance)});
   if (!ray.mapped()) return;
   made.points.push_back({ray.sculpture, "S"});
   made.segments.push_back({canvas, ray.sculpture, Kind::reflected});
   made.distances.push_back(
-      {0.5 * (canvas + ray.sculpture), fmt::format("k·d = {:.2f}", depthScale * ray.distance)});
+      {0.5 * (canvas + ray.sculpture), shownFormat("k·d = {:.2f}", depthScale * ray.distance)});
 }
 
 void addSightRows(Construction& made, double depthScale) {
@@ -131,8 +130,8 @@ void addSightRows(Construction& made, double depthScale) {
   made.rows = {{"E  eye", pointText(ray.eye)},
                {"P  original vertex", pointText(ray.original)},
                {"Q  on the canvas", pointText(ray.legs.back().start)},
-               {"d = |PQ|", fmt::format("{:.3f}", ray.distance)},
-               {"k  depth scale", fmt::format("{:.3f}", depthScale)}};
+               {"d = |PQ|", shownFormat("{:.3f}", ray.distance)},
+               {"k  depth scale", shownFormat("{:.3f}", depthScale)}};
   if (ray.mapped()) made.rows.push_back({"S = Q + k (P − Q)", pointText(ray.sculpture)});
 }
 
@@ -141,7 +140,7 @@ void addRows(Construction& made, double depthScale) {
   const auto add = [&](const char* name, std::string value) {
     made.rows.push_back({name, std::move(value)});
   };
-  const auto addLength = [&](const char* name, double length) { add(name, fmt::format("{:.3f}", length)); };
+  const auto addLength = [&](const char* name, double length) { add(name, shownFormat("{:.3f}", length)); };
   add("E  eye", pointText(ray.eye));
   add("P  original vertex", pointText(ray.original));
   for (const VertexLeg& leg : ray.legs) {

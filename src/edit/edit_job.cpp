@@ -37,8 +37,8 @@ std::optional<std::string> EditJob::update(Session& session) {
   // Names of files in a level are relative to its own.
   const bool same = session.level() == started_->level && session.path() == started_->path;
   started_.reset();
-  if (!result->level) return result->message;
   if (!same) return name_ + ": " + tr("the level has been changed meanwhile, so nothing was done.");
+  if (!result->level) return result->message;
   if (result->between) session.edit(std::move(*result->between));
   session.edit(std::move(*result->level));
   return result->message;

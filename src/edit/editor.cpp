@@ -51,12 +51,14 @@ void openLevel(Editor& editor, LevelFile file) {
   const std::filesystem::path opened = cleanPath(file.path);
   editor.session.open(std::move(file));
   lookAfresh(editor);
-  editor.message = editor.session.warnings().empty() ? "" : editor.session.warnings().front();
+  editor.status.clear();
+  if (!editor.session.warnings().empty())
+    editor.status.sayOf(editor.session.level(), editor.session.warnings().front());
   leaving.keep(editor, opened);
   const auto left = editor.leftLevels.extract(opened);
   if (left.empty()) return;
   editor.session.edit(left.mapped());
-  editor.message = tr("As you left it. Ctrl+R: as it was.");
+  editor.status.sayOf(editor.session.level(), tr("As you left it. Ctrl+R: as it was."));
 }
 
 void openNewLevel(Editor& editor) {
@@ -65,7 +67,7 @@ void openNewLevel(Editor& editor) {
   level.view = {{19, -24, 15}, {0, -3, 2}, 40};  // the RT camera is in it, too
   editor.session.startNew(std::move(level));
   lookAfresh(editor);
-  editor.message.clear();
+  editor.status.clear();
 }
 
 void lookAfresh(Editor& editor) {

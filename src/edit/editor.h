@@ -23,6 +23,7 @@
 #include "edit/save_job.h"
 #include "edit/selection.h"
 #include "edit/session.h"
+#include "edit/status.h"
 #include "edit/view_pose.h"
 
 namespace anamorph {
@@ -78,7 +79,7 @@ struct Editor {
   LessonProgress progress;
   int exported = 0;  ///< how many files were exported since the program started
 
-  std::string message;  ///< for the status line, until the next one
+  Status status;  ///< what the status line says of what was done last
 };
 
 /// Opens a level that was read and looks at it from where it wants to be looked at; an installed one that was left

@@ -205,9 +205,8 @@ Level GizmoDrag::applyMove(Vector motion, double snap) {
       along = toStep(from + along, snap) - from;
       rounded += along * axis;
     }
-    const double shown = along + 0.0;  // no -0
     const char* separator = text_.empty() ? (frame.global() ? "" : tr("local ")) : ", ";
-    text_ += fmt::format("{}{} {:+.2f}", separator, axisNames[i], shown);
+    text_ += shownFormat("{}{} {:+.2f}", separator, axisNames[i], along);
   }
   return moved(start_.level, start_.selection, snap > 0 ? rounded : motion);
 }
@@ -217,11 +216,21 @@ Level GizmoDrag::applyTurn(double angle, double snap) {
   const int axis = axisOf(handle_);
   const char* about = axis < 3 ? axisNames[axis] : tr("the line of sight");
   const char* local = axis < 3 && !start_.frame.global() ? tr("local ") : "";
-  text_ = trFormat("{:.1f}° about {}{}", degrees(angle) + 0.0, local, about);
+  text_ = trFormat("{:.1f}° about {}{}", degrees(angle), local, about);
   return rotated(start_.level, start_.selection, start_.frame.origin, handleAxis(), angle);
 }
 
+// The sculpture's factor is that of its depth scale, which snaps by itself.
+Level GizmoDrag::applyDepth(double factor, double snap) {
+  const double before = start_.level.sculpture.depthScale;
+  if (snap > 0 && before > 0) factor = toStep(factor * before, 0.5 * snap) / before;
+  const Level level = scaled(start_.level, start_.selection, start_.frame.origin, Vector(factor));
+  text_ = shownFormat("k = {:.2f}", level.sculpture.depthScale);
+  return level;
+}
+
 Level GizmoDrag::applyScale(double factor, double snap) {
+  if (start_.selection.part == Part::sculpture) return applyDepth(factor, snap);
   if (snap > 0) factor = toStep(factor, snap);
   factor = std::max(factor, 0.0);
   Vector factors(1);

@@ -47,7 +47,7 @@ class GizmoDrag {
   /// finite.
   Level levelAt(const Pixel& pixel, const DragKeys& keys = {});
 
-  /// What the last levelAt did: "x +1.25", "15.0° about z", "scale 0.80".
+  /// What the last levelAt did: "x +1.25", "15.0° about z", "scale 0.80", "k = 0.44".
   const std::string& text() const { return text_; }
   const GizmoDragStart& start() const { return start_; }
 
@@ -70,6 +70,7 @@ class GizmoDrag {
   Level applyMove(Vector motion, double snap);
   Level applyTurn(double angle, double snap);
   Level applyScale(double factor, double snap);
+  Level applyDepth(double factor, double snap);
 
   GizmoDragStart start_;
   GizmoHandle handle_;                          // start_.handle or that of the lock

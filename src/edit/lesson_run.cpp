@@ -220,7 +220,7 @@ void openStep(Editor& editor, std::size_t step) {
   run.step = std::min(step, run.lesson.steps.size() - 1);
   const Level before = editor.session.level();
   restoreStart(editor);
-  if (!(editor.session.level() == before)) editor.message = tr("As this step begins. Ctrl+Z: as it was.");
+  if (!(editor.session.level() == before)) editor.status.sayOf(editor.session.level(), tr("As this step begins. Ctrl+Z: as it was."));
   beginStep(editor, Arrival::afresh);
 }
 

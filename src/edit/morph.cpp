@@ -4,30 +4,29 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "base/parallel_for.h"
 
 namespace anamorph {
 namespace {
 
-Point alongWay(const Point& p, const Point& q, const Point& s, double t) {
-  const double in = glm::length(q - p), out = glm::length(s - q), gone = t * (in + out);
+// From P by way of Q towards S, so far, and no farther than S.
+Point alongWay(const Point& p, const Point& q, const Point& s, double gone) {
+  const double in = glm::length(q - p), out = glm::length(s - q);
   if (gone < in) return p + (gone / in) * (q - p);
-  return out > 0 ? q + ((gone - in) / out) * (s - q) : s;
+  return gone < in + out ? q + ((gone - in) / out) * (s - q) : s;
 }
 
-// The last point of the vertex ray on the optic; the point itself if nowhere. Nothing where the way is straight.
-std::optional<Point> mirrorPoint(const VertexMap& map, const Point& original) {
+// The last point of the vertex ray on the optic; the point itself where there is none, or the way is straight.
+Point mirrorPoint(const VertexMap& map, const Point& original) {
   if (!(lengthSquared(original - map.eye) > 0)) return original;
   const OpticPath path = followRay(map.optic, {map.eye, original - map.eye});
-  if (path.pointCount == 0) return original;
-  return path.bends ? std::optional(path.exit.origin) : std::nullopt;
+  return path.pointCount > 0 && path.bends ? path.exit.origin : original;
 }
 
-// The mirror points are exit points of depth 0. `result` holds the sculpture and takes the points on their way.
-void morphRange(const Sculpture& sculpture, const VertexMap& map, double t, PointArray& result,
-                std::size_t begin, std::size_t end) {
+// Of all vertices of a range. The mirror points are exit points of depth 0.
+void findMirrorPoints(const Sculpture& sculpture, const VertexMap& map, PointArray& result, std::size_t begin,
+                      std::size_t end) {
   const PointArray& in = sculpture.original;
   std::array<std::int64_t, exitBlockSize> plain;
   std::array<double, exitBlockSize> qx, qy, qz;
@@ -41,23 +40,40 @@ void morphRange(const Sculpture& sculpture, const VertexMap& map, double t, Poin
                            plain.data()});
     for (std::size_t i = 0; i < count; ++i) {
       if (sculpture.status[first + i] != PathStatus::mapped) continue;
-      const Point p = in[first + i];
-      const auto q = plain[i] ? std::optional(Point(qx[i], qy[i], qz[i])) : mirrorPoint(map, p);
-      const Point s = result[first + i];
-      result.set(first + i, q ? alongWay(p, *q, s, t) : glm::mix(p, s, t));
+      result.set(first + i, plain[i] ? Point(qx[i], qy[i], qz[i]) : mirrorPoint(map, in[first + i]));
     }
   }
+}
+
+double longestWay(const Sculpture& sculpture, const PointArray& mirrorPoints) {
+  double longest = 0;
+  for (std::size_t i = 0; i < mirrorPoints.size(); ++i) {
+    if (sculpture.status[i] != PathStatus::mapped) continue;
+    const Point q = mirrorPoints[i];
+    longest = std::max(longest,
+                       glm::length(q - sculpture.original[i]) + glm::length(sculpture.mesh.positions[i] - q));
+  }
+  return longest;
 }
 
 }  // namespace
 
 PointArray morphPoints(const Sculpture& sculpture, const VertexMap& map, double t, int threads) {
   if (!(t > 0)) return sculpture.original;
-  PointArray result = sculpture.mesh.positions;
-  if (t >= 1) return result;
+  if (t >= 1) return sculpture.mesh.positions;
   constexpr std::size_t grain = 16 * exitBlockSize;
-  parallelFor(result.size(), grain, threads,
-              [&](std::size_t begin, std::size_t end) { morphRange(sculpture, map, t, result, begin, end); });
+  PointArray mirrorPoints = sculpture.original;
+  parallelFor(mirrorPoints.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    findMirrorPoints(sculpture, map, mirrorPoints, begin, end);
+  });
+  const double gone = t * longestWay(sculpture, mirrorPoints);
+  PointArray result = sculpture.mesh.positions;
+  parallelFor(result.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (sculpture.status[i] != PathStatus::mapped) continue;
+      result.set(i, alongWay(sculpture.original[i], mirrorPoints[i], result[i], gone));
+    }
+  });
   return result;
 }
 

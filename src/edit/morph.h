@@ -2,9 +2,9 @@
 // original's point P straight to the mirror point Q and on along the reflected ray to S (method section 2).
 //
 //      P t = 0
-//       \                The way |PQ| + |QS| is gone evenly, so all vertices start and arrive together.
-//     ---Q------ mirror
-//       /
+//       \                All vertices start together and go at the same speed; those with a shorter way |PQ| + |QS|
+//     ---Q------ mirror  arrive before the last one. So the sculpture passes through a flat mirror bit by bit and
+//       /                never lies in it as a whole, where its sides could not be told apart.
 //      S t = 1
 #pragma once
 

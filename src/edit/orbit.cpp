@@ -105,6 +105,17 @@ ViewPose pan(const ViewPose& pose, const ViewProjection& projection, double dxPi
   return moved;
 }
 
+ViewPose keptAbove(double floor, const ViewPose& pose, const std::function<ViewPose(double)>& moved) {
+  const ViewPose whole = moved(1);
+  if (!(pose.eye.z > floor) || whole.eye.z > floor) return whole;
+  double above = 0, below = 1;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (above + below);
+    (moved(middle).eye.z > floor ? above : below) = middle;
+  }
+  return moved(above);
+}
+
 ViewPose zoomTo(const ViewPose& pose, const ViewProjection& projection, const Pixel& pixel, double steps) {
   const ViewPose sound = soundPose(pose);
   const Ray ray = projection.rayThrough(pixel);

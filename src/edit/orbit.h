@@ -10,6 +10,8 @@
 // Whatever is given, also an eye at its target or numbers that are not finite, a sound pose is returned.
 #pragma once
 
+#include <functional>
+
 #include "edit/view_pose.h"
 #include "math/box.h"
 
@@ -38,6 +40,10 @@ ViewPose orbit(const ViewPose& pose, double dxPixels, double dyPixels);
 
 /// Moves eye and target so that what is at the target's depth follows the mouse.
 ViewPose pan(const ViewPose& pose, const ViewProjection& projection, double dxPixels, double dyPixels);
+
+/// A motion of the view that does not go through the floor by accident: an eye above it goes as far as it stays there.
+/// `moved`: the pose after a fraction of the motion, 0..1. An eye that is below already is free.
+ViewPose keptAbove(double floor, const ViewPose& pose, const std::function<ViewPose(double fraction)>& moved);
 
 /// Comes nearer by `steps` of the wheel (negative: goes away), towards what is under the pixel at the
 /// target's depth; that point stays there.

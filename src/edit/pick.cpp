@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "edit/camera_body.h"
 
 namespace anamorph {
 namespace {
@@ -58,6 +59,14 @@ Pick pickGrid(const PickInput& input, const Ray& ray) {
   if (!input.display.rtCamera) return {};
   const auto hit = intersectGrid(input.level.camera, input.level.grid, ray);
   return hit ? Pick{{Part::eye}, hit->cell, {}, hit->t, ray.at(hit->t)} : Pick{};
+}
+
+// The body that is drawn behind the eye.
+Pick pickCamera(const PickInput& input, const Ray& ray) {
+  if (!input.display.rtCamera) return {};
+  const double radius = measureScene(boxOf(makeReflectionScene(input.level, input.sculpture))).radius;
+  const auto t = intersectRtCamera(input.level.camera, rtCameraSize(input.level.grid, radius), ray);
+  return t ? Pick{{Part::eye}, {}, {}, *t, ray.at(*t)} : Pick{};
 }
 
 // While it is dragged a sculpture keeps triangles with corners that are not mapped; they are not drawn.
@@ -132,6 +141,7 @@ Pick pick(const PickInput& input, const Pixel& pixel) {
   if (icon.selection.part != Part::none) return icon;
   Pick best = pickOriginal(input, ray);
   takeNearer(best, pickGrid(input, ray));
+  takeNearer(best, pickCamera(input, ray));
   takeNearer(best, pickSculpture(input, ray));
   if (best.selection.part == Part::none) best = pickVertexBeside(input, pixel);
   const bool ghost =

@@ -1,5 +1,5 @@
-// What is under a pixel of the 3D view: an icon, a cell of the pixel grid, the sculpture, the original or the
-// mirror.
+// What is under a pixel of the 3D view: an icon, a cell of the pixel grid, the RT camera's body, the sculpture, the
+// original or the mirror.
 //
 // Icons are drawn over everything and are picked first, by their distance on the screen. Of the surfaces the
 // nearest one counts, except that a ghost original is seen through the mirror and so is picked through it.

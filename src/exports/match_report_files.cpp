@@ -78,7 +78,7 @@ std::string row(const char* name, const std::string& value, const std::string& g
 
 // What a figure may be at most; of what is never negative 0 is all there is.
 std::string atMost(double bound, const char* unit = "") {
-  return fmt::format("{}{:g}{}", bound > 0 ? "&le; " : "", bound, unit);
+  return shownFormat("{}{:g}{}", bound > 0 ? "&le; " : "", bound, unit);
 }
 
 std::string figuresTable(const MatchReport& report) {
@@ -88,27 +88,27 @@ std::string figuresTable(const MatchReport& report) {
                                  tr("figure"), tr("here"), tr("excellent"), tr("what it says"));
   text += row("outline, 99 %", contourText(report.contourPx), atMost(best.contourPx, " px"),
               "how far the outlines of both pictures are apart; 99 of 100 points of them are nearer");
-  text += row("silhouette IoU", fmt::format("{:.5f}", report.silhouetteIou), "",
+  text += row("silhouette IoU", shownFormat("{:.5f}", report.silhouetteIou), "",
               "pixels that both pictures show, of those that either shows: 1 when the outlines are the same");
   text +=
-      row("correspondence, 99 %", compared ? fmt::format("{:.3f} px", report.p99Px) : std::string(tr("none")),
+      row("correspondence, 99 %", compared ? shownFormat("{:.3f} px", report.p99Px) : std::string(tr("none")),
           atMost(best.p99Px, " px"),
           "how far a reflected point is from where it should be; 99 of 100 points are nearer");
   text += row("correspondence, mean",
-              compared ? fmt::format("{:.3f} px", report.meanPx) : std::string(tr("none")), "",
+              compared ? shownFormat("{:.3f} px", report.meanPx) : std::string(tr("none")), "",
               "the same, on average");
   text += row("correspondence, worst",
-              compared ? fmt::format("{:.3f} px", report.maxPx) : std::string(tr("none")), "",
+              compared ? shownFormat("{:.3f} px", report.maxPx) : std::string(tr("none")), "",
               "the same, at the worst pixel");
-  text += row("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement),
-              fmt::format("&ge; {:g}", best.triangleAgreement),
+  text += row("triangle agreement", shownFormat("{:.5f}", report.triangleAgreement),
+              shownFormat("&ge; {:g}", best.triangleAgreement),
               "share of pixels in which both pictures show the same part of the original, front and back not "
               "swapped");
-  text += row("hidden share", fmt::format("{:.5f}", report.hiddenShare), atMost(best.hiddenShare),
+  text += row("hidden share", shownFormat("{:.5f}", report.hiddenShare), atMost(best.hiddenShare),
               "of the original's pixels: the sculpture itself, the floor or a base plate stands in the way");
-  text += row("missed share", fmt::format("{:.5f}", report.missedShare), atMost(best.missedShare),
+  text += row("missed share", shownFormat("{:.5f}", report.missedShare), atMost(best.missedShare),
               "of the original's pixels: there is no mirror");
-  text += row("extra share", fmt::format("{:.5f}", report.extraShare), atMost(best.extraShare),
+  text += row("extra share", shownFormat("{:.5f}", report.extraShare), atMost(best.extraShare),
               "pixels that show the sculpture beside the original, over the original's pixels");
   return text + "</table>\n";
 }

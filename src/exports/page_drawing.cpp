@@ -4,7 +4,7 @@
 #include <sstream>
 #include <utility>
 
-#include <fmt/format.h>
+#include "base/language.h"
 
 #include "exports/page_file.h"
 
@@ -100,7 +100,7 @@ std::vector<std::string> wrapText(const std::string& text, double size, double w
 }
 
 std::string formatLength(double millimetres) {
-  return fmt::format("{:.1f}", std::abs(millimetres) < 0.05 ? 0 : millimetres);
+  return shownFormat("{:.1f}", millimetres);
 }
 
 }  // namespace anamorph

@@ -32,11 +32,11 @@ std::string pairsOf(const SelfCrossings& crossings) {
 }
 
 std::string placeOf(const Point& p) {
-  return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
+  return shownFormat("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
 }
 
 std::string thicknessOf(const ThinPlace& place) {
-  return place.thickness < 0.01 ? "< 0.01" : fmt::format("{:.2f}", place.thickness);
+  return place.thickness < 0.01 ? "< 0.01" : shownFormat("{:.2f}", place.thickness);
 }
 
 bool areWallsThin(const PrintCheck& check) {
@@ -170,7 +170,7 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   const Vector size = check.box.empty() ? Vector(0) : check.box.size();
   std::vector<std::pair<std::string, std::string>> rows;
   const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
-  line("size", fmt::format("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
+  line("size", shownFormat("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
   line("triangles", trFormat("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
                              check.vertices, countOf(check.parts, "part", "parts")));
   line("closed", topology.borderEdges == 0
@@ -196,7 +196,7 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
     line("smallest width", trFormat("{:g} mm; {:.1f} mm2 of the surface at thinner walls",
                                     check.smallestWidth, check.walls.thinArea));
   }
-  if (topology.isSound()) line("volume", fmt::format("{:.2f} cm3", check.volume / 1000));
+  if (topology.isSound()) line("volume", shownFormat("{:.2f} cm3", check.volume / 1000));
   return rows;
 }
 

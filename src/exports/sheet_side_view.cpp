@@ -68,7 +68,7 @@ double roundScale(double least) {
 }
 
 std::string scaleName(double scale) {
-  return scale < 1 ? fmt::format("{:.3g} : 1", 1 / scale) : fmt::format("1 : {:.3g}", scale);
+  return scale < 1 ? shownFormat("{:.3g} : 1", 1 / scale) : shownFormat("1 : {:.3g}", scale);
 }
 
 void addBox(Rectangle& box, const std::vector<Point2>& points) {

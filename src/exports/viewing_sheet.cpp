@@ -145,7 +145,7 @@ Layout finishLayout(const Arrangement& arrangement, const SheetPlan& plan, const
 }
 
 std::string scaleName(double scale) {
-  return scale >= 1 ? fmt::format("1 : {:.6g}", scale) : fmt::format("{:.6g} : 1", 1 / scale);
+  return scale >= 1 ? shownFormat("1 : {:.6g}", scale) : shownFormat("{:.6g} : 1", 1 / scale);
 }
 
 [[noreturn]] void refuse(const SheetPlan& plan, const Layout& layout, Paper paper, double scale) {

@@ -21,10 +21,17 @@ std::string inQuotes(const std::vector<std::string>& names) {
   return alternatives(quoted);
 }
 
+// In full, as one types it: not 1e+08.
+std::string inFull(double number) {
+  std::string text = fmt::format("{:.9f}", number);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 std::string numbersFrom(Range range, bool whole) {
-  // Whole numbers in full: a limit of 1e+08 triangles is hard to type.
-  return whole ? fmt::format("a whole number from {:.0f} to {:.0f}", range.min, range.max)
-               : fmt::format("a number from {:g} to {:g}", range.min, range.max);
+  return fmt::format("a {} from {} to {}", whole ? "whole number" : "number", inFull(range.min),
+                     inFull(range.max));
 }
 
 }  // namespace

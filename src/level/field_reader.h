@@ -1,5 +1,5 @@
 // Reads fields out of a JSON object, strictly: a wrong type, a value out of its range and a missing key are faults,
-// `line 7, column 31: /optic/shape/radius: expected a number from 1e-06 to 1e+06, got -4`. They are gathered, not thrown,
+// `line 7, column 31: /optic/shape/radius: expected a number from 0.000001 to 1000000, got -4`. They are gathered, not thrown,
 // so that all of a file are told at once; what has one stays as it is, like an absent key that is not needed. Which
 // fields there are is said by functions fields(at, part), found by the type of the part, once for reading, for writing
 // (field_writer.h) and for the JSON Schema (field_schema.h).

@@ -118,14 +118,16 @@ std::vector<LanguageChoice> listLanguages() {
   return languages;
 }
 
-void chooseLanguage(const std::string& code) {
+const TextTable* chooseLanguage(const std::string& code) {
   std::string wanted = code;
   if (code.empty()) {
     wanted = systemLanguage();
     std::error_code ignored;
     if (!fs::exists(languageFolder() / (wanted + ".json"), ignored)) wanted = "en";
   }
-  setLanguage(wanted == "en" ? nullptr : &keptLanguage(wanted).texts);
+  const TextTable* texts = wanted == "en" ? nullptr : &keptLanguage(wanted).texts;
+  setLanguage(texts);
+  return texts;
 }
 
 }  // namespace anamorph

@@ -31,6 +31,7 @@ std::vector<LanguageChoice> listLanguages();
 
 /// Switches everything to a language; an unknown or broken one is an Error and changes nothing. "": as the
 /// system is set ($LC_ALL, $LC_MESSAGES, $LANG), English when that is not installed.
-void chooseLanguage(const std::string& code);
+/// Returns its texts; null for English.
+const TextTable* chooseLanguage(const std::string& code);
 
 }  // namespace anamorph

@@ -104,6 +104,12 @@ const char* pathStatusName(PathStatus status) {
   return names[static_cast<int>(status)];
 }
 
+const char* pathStatusWords(PathStatus status) {
+  constexpr const char* words[] = {"are mapped", "miss the mirror", "are in front of the mirror",
+                                   "graze the mirror", "meet the mirror twice"};
+  return words[static_cast<int>(status)];
+}
+
 OpticPath followRay(const Optic& optic, const Ray& sent) {
   OpticPath path;
   CHECK(optic.parts.size() <= OpticPath::maxPoints);

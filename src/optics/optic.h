@@ -96,8 +96,10 @@ enum class PathStatus : std::uint8_t {
 };
 constexpr int pathStatusCount = 5;
 
-/// The name in JSON and messages: "mapped", "missesMirror", ...
+/// The name in JSON: "mapped", "missesMirror", ...
 const char* pathStatusName(PathStatus status);
+/// What so many vertices do, for people: "miss the mirror".
+const char* pathStatusWords(PathStatus status);
 
 struct OpticPath {
   static constexpr int maxPoints = 12;

@@ -40,9 +40,11 @@ void openNeighbour(Editor& editor, UiState& ui) {
   ui.requests.open = neighbour(editor, ui, offset)->path;
 }
 
+// The gizmo of the original is to be seen, which a construction hides.
 template <GizmoMode mode>
 void setMode(Editor& editor, UiState&) {
   editor.gizmoMode = mode;
+  if (editor.selection.part == Part::original) editor.point.reset();
 }
 
 template <GizmoMode mode>

@@ -68,7 +68,8 @@ void settleSave(Editor& editor, UiState& ui, double patienceSeconds) {
     ui.notice = Notice{"The level could not be saved", outcome->failure};
   } else {
     rememberLevel(ui, outcome->path);
-    editor.message = withRemarks(trFormat("Saved: {}", outcome->path.string()), outcome->lost);
+    editor.status.sayOf(editor.session.level(),
+                        withRemarks(trFormat("Saved: {}", outcome->path.string()), outcome->lost));
   }
 }
 
@@ -76,7 +77,7 @@ void settleSave(Editor& editor, UiState& ui, double patienceSeconds) {
 void saveTo(const fs::path& path, std::optional<FileTime> known, Editor& editor, UiState& ui) {
   constexpr double patience = 0.05;  // seconds; most files are written in less, and then nothing flickers
   if (editor.saving.busy()) {
-    editor.message = trFormat("{} is still being written.", editor.saving.path().string());
+    editor.status.say(trFormat("{} is still being written.", editor.saving.path().string()));
     return;
   }
   editor.saving.start(editor.session, path, known);

@@ -1,6 +1,7 @@
 #include "panels/layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace anamorph {
 namespace {
@@ -55,6 +56,14 @@ Layout makeLayout(const LayoutInput& in) {
   layout.properties = {in.width - right, top, right, right > 0 ? height - preview : 0};
   layout.preview = {in.width - right, top + height - preview, right, preview};
   return layout;
+}
+
+double fittingScale(double wanted, double width, double height) {
+  constexpr double step = 0.125;  // every other scale is another set of letters
+  constexpr double leastWidth = smallestLeft + smallestView + smallestRight,
+                   leastHeight = menuHeight + statusHeight + smallestProperties + smallestPreview;
+  const double largest = step * std::floor(std::min(width / leastWidth, height / leastHeight) / step);
+  return std::min(wanted, std::max(largest, 1.0));
 }
 
 }  // namespace anamorph

@@ -52,4 +52,8 @@ struct LayoutInput {
 
 Layout makeLayout(const LayoutInput& input);
 
+/// The largest scale, up to the wanted one, at which a window of this size (pixels) has room for all panels; at 100 %,
+/// or the wanted scale if that is less, it is the panels that give way.
+double fittingScale(double wanted, double width, double height);
+
 }  // namespace anamorph

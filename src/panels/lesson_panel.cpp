@@ -28,7 +28,8 @@ void drawHead(Editor& editor, UiState& ui) {
   quietText(ui, line.c_str());
   const std::string points = trFormat("{} of {} points", score.points, score.of);
   const float x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(points.c_str()).x;
-  ImGui::SameLine(x);
+  const float end = ImGui::GetCursorStartPos().x + ImGui::CalcTextSize(line.c_str()).x;
+  if (end + ImGui::GetStyle().ItemSpacing.x <= x) ImGui::SameLine(x);  // else below
   quietText(ui, points.c_str());
 }
 

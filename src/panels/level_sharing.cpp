@@ -24,10 +24,11 @@ void toClipboard(const Level& level, Editor& editor) {
   if (!ImGui::GetCurrentContext()) return;
   ImGui::SetClipboardText(levelAsText(level, editor.session.path()).c_str());
   const auto* mesh = std::get_if<FileShape>(&level.original.shape);
-  editor.message = mesh && mesh->obj->empty()
-                       ? trFormat("The level is on the clipboard, as text; it needs {}, too.",
-                                  fs::path(mesh->path).filename().string())
-                       : tr("The level is on the clipboard, as text.");
+  editor.status.sayOf(editor.session.level(),
+                      mesh && mesh->obj->empty()
+                          ? trFormat("The level is on the clipboard, as text; it needs {}, too.",
+                                     fs::path(mesh->path).filename().string())
+                          : tr("The level is on the clipboard, as text."));
 }
 
 std::string joined(const std::string& sentence, const std::string& next) {
@@ -79,13 +80,15 @@ void pasteLevel(Editor& editor, UiState& ui) {
     SentLevel sent = levelFromText(text ? text : "", editor.session.level(), editor.session.path());
     finishEdits(editor, ui);
     const auto missing = findMissingMesh(sent.level, editor.session.path());
-    editor.message = mendsText(sent.mends);
+    const std::string mended = mendsText(sent.mends);
+    editor.status.sayOf(editor.session.level(), mended);
     if (missing) {
       ui.meshQuestion = MeshQuestion{std::move(sent.level), *missing};
       return;
     }
     editor.session.edit(std::move(sent.level));
-    editor.message = joined(tr("The level has been pasted; Ctrl+Z takes it back."), editor.message);
+    editor.status.sayOf(editor.session.level(),
+                        joined(tr("The level has been pasted; Ctrl+Z takes it back."), mended));
   } catch (const Error& error) {
     ui.notice = Notice{"There is no level on the clipboard", error.what()};
   }
@@ -109,7 +112,8 @@ void giveMesh(const fs::path& mesh, Editor& editor, UiState& ui) {
   auto& file = std::get<FileShape>(level.original.shape);
   file = {.path = meshNameFor(mesh, editor.session.path()), .up = file.up};
   editor.session.edit(std::move(level));
-  editor.message = trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string());
+  editor.status.sayOf(editor.session.level(),
+                      trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string()));
 }
 
 void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui) {
@@ -120,8 +124,8 @@ void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui
   const MeshQuestion question = *std::exchange(ui.meshQuestion, std::nullopt);
   if (answer == Answer::cancel) return;
   editor.session.edit(withStandIn(question.level));
-  editor.message =
-      trFormat("A pawn stands in for {}; Ctrl+Z takes it back.", question.mesh.filename().string());
+  editor.status.sayOf(editor.session.level(), trFormat("A pawn stands in for {}; Ctrl+Z takes it back.",
+                                                       question.mesh.filename().string()));
 }
 
 }  // namespace anamorph

@@ -15,7 +15,8 @@ namespace {
 std::string percent(double fraction, int digits = 2) {
   const double unit = std::pow(10, -digits);
   const double shown = fraction < 1 ? std::min(100 * fraction, 100 - unit) : 100;
-  return fmt::format("{:.{}f} %", shown, digits);
+  std::string text = shownNumber(shown, fmt::format(".{}f", digits));
+  return text.append(" %");
 }
 
 MatchScore::Tone toneOf(MatchGrade grade) {
@@ -67,15 +68,15 @@ MatchScore matchScore(const LevelResult& result) {
        "Pixels that original and reflection both show, of those that either shows (IoU)."},
       {"Outline", contourText(report.contourPx), report.contourPx <= good.contourPx,
        "How far the outlines of original and reflection are apart; 99 of 100 points of them are nearer."},
-      {"Point error", report.comparedPixels > 0 ? fmt::format("{:.2f} px", report.p99Px) : "-",
+      {"Point error", report.comparedPixels > 0 ? shownFormat("{:.2f} px", report.p99Px) : "-",
        report.comparedPixels > 0 && report.p99Px <= good.p99Px,
        "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
-      {"Hidden", fmt::format("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
+      {"Hidden", shownFormat("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
        "Of the original's pixels: the sculpture itself or the floor stands in the way. Raise the eye, or the "
        "original."},
-      {"Missed", fmt::format("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
+      {"Missed", shownFormat("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
        "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
-      {"Beside", fmt::format("{:.1f} %", 100 * report.extraShare), report.extraShare <= good.extraShare,
+      {"Beside", shownFormat("{:.1f} %", 100 * report.extraShare), report.extraShare <= good.extraShare,
        "Pixels that show the sculpture beside the original, over the original's pixels."},
   };
   return score;

@@ -88,7 +88,7 @@ void resultRows(const Editor& editor) {
   const Box box = boundingBox(mesh.positions);
   if (!box.empty()) {
     const Vector size = box.size();
-    textRow("Size", fmt::format("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
+    textRow("Size", shownFormat("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
             "Of its box, scene units.");
   }
   textRow("Mesh", trFormat("{} vertices, {} triangles", mesh.positions.size(), mesh.triangles.size()));

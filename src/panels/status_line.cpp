@@ -1,22 +1,17 @@
 // The status line: what happened last, what is being computed, how large and how fast everything is.
 
-#include <fmt/format.h>
+#include <string>
+
 #include <imgui.h>
 
 #include "base/language.h"
 #include "panels/panels.h"
+#include "panels/state_words.h"
 #include "panels/style.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
-
-std::string stateText(const LevelResult& result) {
-  if (result.problem) return tr("no sculpture");
-  if (!result.sculpture.sculpture) return tr("loading");
-  if (!result.refined) return tr("following, not refined");
-  return tr(result.complete ? "refined and matched" : "refined, matching");
-}
 
 std::string figures(const UiState& ui, const LevelResult& result) {
   std::string text;
@@ -24,7 +19,7 @@ std::string figures(const UiState& ui, const LevelResult& result) {
     const Mesh& mesh = result.sculpture.sculpture->mesh;
     text = trFormat("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
   }
-  if (!ui.headless) text += fmt::format("   {:.0f} ms", ui.frameMilliseconds);
+  if (!ui.headless) text += shownFormat("   {:.0f} ms", ui.frameMilliseconds);
   return text;
 }
 
@@ -68,6 +63,34 @@ bool jobProgress(const char* name, double fraction, const UiState& ui) {
   return cancel;
 }
 
+// What was said last, else what is to be known of the sculpture.
+std::string messageOf(const Editor& editor) {
+  const LevelResult& result = editor.updater.result();
+  if (!editor.status.text().empty()) return editor.status.text();
+  if (!result.warnings.empty()) return result.warnings.front();
+  if (!result.shapeWarnings.empty()) return result.shapeWarnings.front();
+  if (result.match && result.refined) return findMatchProblem(result.match->report).value_or("");
+  return {};
+}
+
+// As much of it as has room, and a sign that there is more.
+std::string elided(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  const char* const more = "\u2026";
+  const char *begin = text.data(), *end = begin + text.size(), *rest = begin;
+  ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room - ImGui::CalcTextSize(more).x, 0, begin, end,
+                                  &rest);
+  return std::string(begin, rest) + more;
+}
+
+// `right`: to where there is room, in the window.
+void drawMessage(const Editor& editor, const UiState& ui, const std::string& message, float right) {
+  const bool isSaid = !editor.status.text().empty();
+  const ImVec4 color = isSaid ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::middling(ui.theme);
+  ImGui::TextColored(color, "%s", elided(message, right - ImGui::GetCursorPosX()).c_str());
+  tooltip(capitalised(message).c_str());
+}
+
 }  // namespace
 
 void drawStatusLine(Editor& editor, UiState& ui) {
@@ -78,36 +101,27 @@ void drawStatusLine(Editor& editor, UiState& ui) {
   ImGui::PopStyleVar();
   if (!shown) return;
   const LevelResult& result = editor.updater.result();
-  const std::string state = stateText(result);
-  ImGui::TextUnformatted(state.c_str());
-  if (editor.updater.busy() && !result.complete && !ui.headless) progress(editor, ui);
+  const bool busy = editor.updater.busy();
+  ImGui::TextUnformatted(tr(stateWords(result, busy)));
+  if (busy && !result.complete && !ui.headless) progress(editor, ui);
   if (editor.job.busy() && jobProgress(editor.job.name().c_str(), editor.job.fraction(), ui))
     editor.job.cancel();
   if (editor.opening.busy()) openingProgress(editor, ui);
   if (editor.saving.busy()) savingProgress(editor, ui);
   if (ui.shot.running && jobProgress(tr("The picture is being drawn..."), ui.shot.fraction, ui))
     ui.requests.cancelShot = true;
-  const std::string message = !editor.message.empty()         ? editor.message
-                              : !result.warnings.empty()      ? result.warnings.front()
-                              : !result.shapeWarnings.empty() ? result.shapeWarnings.front()
-                              : result.match && result.refined
-                                  ? findMatchProblem(result.match->report).value_or("")
-                                  : std::string();
-  const std::string right = figures(ui, result);
-  const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
-  const float rightX = ImGui::GetWindowWidth() - rightWidth - ImGui::GetStyle().WindowPadding.x;
+  const float s = static_cast<float>(ui.scale);
+  const float edge = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  const std::string right = figures(ui, result), message = messageOf(editor);
+  const float rightX = edge - ImGui::CalcTextSize(right.c_str()).x;
+  bool figuresShown = rightX > 0.4f * rect.width;
   if (!message.empty()) {
-    ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
-    const ImVec2 p = ImGui::GetCursorScreenPos();
-    const ImVec4 color =
-        editor.message.empty() ? ink::middling(ui.theme) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
-    const float end = rect.x + rightX - 12 * static_cast<float>(ui.scale);
-    ImGui::PushClipRect(p, {end, rect.y + rect.height}, true);
-    ImGui::TextColored(color, "%s", message.c_str());
-    ImGui::PopClipRect();
-    tooltip(message.c_str());
+    ImGui::SameLine(0, 24 * s);
+    const float end = ImGui::GetCursorPosX() + ImGui::CalcTextSize(message.c_str()).x;
+    figuresShown &= end <= rightX - 12 * s;  // words are worth more
+    drawMessage(editor, ui, message, figuresShown ? rightX : edge);
   }
-  if (rightX > 0.4f * rect.width) {
+  if (figuresShown) {
     ImGui::SameLine(rightX);
     ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet(ui.theme));
     ImGui::TextUnformatted(right.c_str());

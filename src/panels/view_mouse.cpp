@@ -10,7 +10,7 @@ void endViewDrag(Editor& editor, ViewMouse& mouse, bool keep) {
       editor.session.finishChange();
     } else {
       editor.session.cancelChange();
-      editor.message.clear();
+      editor.status.clear();
     }
     mouse.gizmoDrag.reset();
     mouse.axisLock = -1;

@@ -136,10 +136,9 @@ void drawPoints(const Ink& ink, const Construction& construction, Labels& labels
 }
 
 // The vertex that was picked last with all it has; of the one before it only the letters, without the eye's.
-void drawConstructions(const Ink& ink, Editor& editor) {
+void drawConstructions(const Ink& ink, Editor& editor, Labels& labels) {
   const auto& last = currentConstruction(editor);
   const auto& earlier = earlierConstruction(editor);
-  Labels labels(ink);
   const auto draw = [&](const ConstructionLabel& label, Rgb color) {
     if (const auto pixel = ink.find(label.at)) labels.draw(*pixel, label.text, ink::of(color));
   };
@@ -231,9 +230,12 @@ void drawView(Editor& editor, UiState& ui) {
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
   const bool alone = editor.display.alone != ShownAlone::nothing;
-  if (!alone) drawConstructions(ink, editor);
-  drawGizmo(ink,
-            emphasised(currentGizmo(editor, ui).gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
+  Labels labels(ink);
+  if (!alone) drawConstructions(ink, editor, labels);
+  const ShownGizmo shown = currentGizmo(editor, ui);
+  drawGizmo(ink, emphasised(shown.gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
+  if (const auto at = shown.label ? ink.find(shown.label->at) : std::nullopt)
+    labels.draw(*at, shown.label->text, ink::of(palette::distanceLabel));
   if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
   ink.list().PopClipRect();
   const float inset = ImGui::GetFontSize();

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <imgui.h>
 
+#include "base/language.h"
+#include "edit/depth_handle.h"
 #include "edit/orbit.h"
 #include "panels/widgets.h"
 
@@ -32,6 +35,25 @@ DragKeys keysOf(const ViewMouse& mouse) {
   return keys;
 }
 
+// On the ray of the construction, else on the one through the middle of the original.
+ShownGizmo depthHandle(const Editor& editor, const Look& look) {
+  ShownGizmo shown;
+  shown.mode = GizmoMode::scale;
+  const LevelResult& result = editor.updater.result();
+  if (editor.session.level().sculpture.frozen) return shown;
+  if (result.problem || !result.original.mesh || findProblem(result.level.optic)) return shown;
+  const bool picked = editor.point && isOn(*result.original.mesh, *editor.point);
+  const Point point = picked ? pointOn(*result.original.mesh, *editor.point) : result.original.box.centre();
+  const VertexRay ray = makeVertexRay(makeVertexMap(result.level), point);
+  const auto frame = depthFrame(ray);
+  if (!frame) return shown;
+  shown.frame = *frame;
+  shown.gizmo = makeDepthHandle(projectionOf(editor), *frame, ray.sculpture, look.scale);
+  const double depthScale = editor.session.level().sculpture.depthScale;
+  shown.label = ConstructionLabel{ray.sculpture, shownFormat("k = {:.2f}", depthScale)};
+  return shown;
+}
+
 void startGizmoDrag(Editor& editor, UiState& ui, const ShownGizmo& shown, GizmoHandle handle,
                     const Pixel& mouse) {
   editor.session.finishChange();  // of a number that was typed into until now
@@ -52,7 +74,7 @@ void click(Editor& editor, const UiState& ui, const Pixel& mouse) {
   const Pick picked = pickAt(editor, ui, mouse);
   editor.selection = picked.cell ? Selection{Part::eye, 0} : picked.selection;
   if (picked.cell) return pickCell(editor, picked.cell == editor.cell ? std::nullopt : picked.cell);
-  pickPoint(editor, picked.point);
+  pickPoint(editor, picked.point == editor.point ? std::nullopt : picked.point);  // a second click lets it go
 }
 
 // A double click: what is there becomes the centre that the view turns around.
@@ -66,6 +88,22 @@ void zoom(Editor& editor, const UiState& ui, const Pixel& mouse, double steps) {
   const Pick picked = pickAt(editor, ui, mouse);
   editor.pose = std::isfinite(picked.distance) ? zoomTowards(editor.pose, picked.where, steps)
                                                : zoomTo(editor.pose, projectionOf(editor), mouse, steps);
+}
+
+// Who wants to look from below hides the ground.
+ViewPose aboveFloor(const Editor& editor, const std::function<ViewPose(double fraction)>& moved) {
+  const GroundSettings& ground = editor.session.level().ground;
+  return ground.visible ? keptAbove(ground.height, editor.pose, moved) : moved(1);
+}
+
+// Sideways as the mouse goes, downwards as far as the floor.
+void orbitBy(Editor& editor, double x, double y) {
+  editor.pose = aboveFloor(editor, [&](double part) { return orbit(editor.pose, x, part * y); });
+}
+
+void panBy(Editor& editor, double x, double y) {
+  const ViewProjection projection = projectionOf(editor);
+  editor.pose = aboveFloor(editor, [&](double part) { return pan(editor.pose, projection, x, part * y); });
 }
 
 void beginDrags(Editor& editor, UiState& ui, const Pixel& mouse) {
@@ -95,16 +133,16 @@ void continueDrag(Editor& editor, UiState& ui, const Pixel& mouse) {
     case ViewDrag::orbit:
       if (!moved) break;
       takeOverView(editor);
-      editor.pose = orbit(editor.pose, io.MouseDelta.x / ui.scale, io.MouseDelta.y / ui.scale);
+      orbitBy(editor, io.MouseDelta.x / ui.scale, io.MouseDelta.y / ui.scale);
       break;
     case ViewDrag::pan:
       if (!moved) break;
       takeOverView(editor);
-      editor.pose = pan(editor.pose, projectionOf(editor), io.MouseDelta.x, io.MouseDelta.y);
+      panBy(editor, io.MouseDelta.x, io.MouseDelta.y);
       break;
     case ViewDrag::gizmo:
       editor.session.change(ui.mouse.gizmoDrag->levelAt(mouse, keysOf(ui.mouse)));
-      editor.message = ui.mouse.gizmoDrag->text();
+      editor.status.sayOf(editor.session.level(), ui.mouse.gizmoDrag->text());
       break;
     case ViewDrag::none:
       break;
@@ -144,7 +182,8 @@ ShownGizmo currentGizmo(const Editor& editor, const Look& look) {
   const Level& level = editor.session.level();
   if (selection.part == Part::none) return shown;  // before any box is measured
   if (editor.lookingThrough && selection.part == Part::eye) return shown;
-  if (editor.point && selection.part == Part::sculpture) return shown;  // it would cover the construction
+  if (selection.part == Part::sculpture) return depthHandle(editor, look);
+  if (editor.point && selection.part == Part::original) return shown;  // it would cover the construction
   shown.mode = editor.gizmoMode;
   for (const GizmoMode mode : {GizmoMode::move, GizmoMode::scale}) {
     if (!allows(level, selection, shown.mode)) shown.mode = mode;

@@ -1,7 +1,11 @@
 // The 3D view, the words of the level, and the program itself: theme, scale, language.
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "base/language.h"
 #include "edit/orbit.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
@@ -20,12 +24,38 @@ void languageRow(UiState& ui) {
   ui.preferences.language = chosen == 0 ? "" : ui.languages[static_cast<std::size_t>(chosen - 1)].code;
 }
 
+// A list: a slider would move away under the mouse while it changes the size of everything.
+void sizeRow(Preferences& preferences) {
+  std::vector<double> sizes{0};
+  for (double size = limits::uiScale.min; size <= limits::uiScale.max; size += 0.25) sizes.push_back(size);
+  const auto own = std::lower_bound(sizes.begin(), sizes.end(), preferences.uiScale);
+  if (own == sizes.end() || *own != preferences.uiScale) sizes.insert(own, preferences.uiScale);
+  std::vector<std::string> texts;
+  for (const double size : sizes) texts.push_back(shownFormat("{:.0f} %", 100 * size));
+  texts.front() = tr("As the screen says");
+  std::vector<const char*> names;
+  for (const std::string& text : texts) names.push_back(text.c_str());
+  int chosen = static_cast<int>(std::find(sizes.begin(), sizes.end(), preferences.uiScale) - sizes.begin());
+  if (choiceRow("Size", chosen, names, "Of text and controls; no larger than leaves room for all panels."))
+    preferences.uiScale = sizes[static_cast<std::size_t>(chosen)];
+}
+
 void levelWords(Editor& editor) {
   Level level = editor.session.level();
   LevelText text = *level.text;
-  bool changed = textFieldRow("Title", text.title, limits::mostTitleBytes);
-  changed |= textFieldRow("Description", text.description, limits::mostTextBytes, 4,
-                          "Shown when the level has no lesson.");
+  // What is read, also in another language, is what is edited.
+  const auto edit = [](std::string& english, const auto& row) {
+    std::string shown = tr(english);
+    if (!row(shown)) return false;
+    english = std::move(shown);
+    return true;
+  };
+  bool changed = edit(
+      text.title, [](std::string& title) { return textFieldRow("Title", title, limits::mostTitleBytes); });
+  changed |= edit(text.description, [](std::string& description) {
+    return textFieldRow("Description", description, limits::mostTextBytes, 4,
+                        "Shown when the level has no lesson.");
+  });
   if (!changed) return;
   level.text = std::move(text);
   editor.session.change(std::move(level));
@@ -64,19 +94,7 @@ void drawViewProperties(Editor& editor, UiState& ui) {
       preferences.theme = static_cast<Theme>(theme);
     }
     languageRow(ui);
-    int automatic = preferences.uiScale > 0 ? 1 : 0;
-    if (choiceRow("Size", automatic, {"As the screen says", "My own"})) {
-      preferences.uiScale = automatic == 0 ? 0 : ui.scale;
-    }
-    if (preferences.uiScale > 0) {
-      int percent = static_cast<int>(100 * preferences.uiScale + 0.5);
-      const int before = percent / 25;
-      if (integerRow("Percent", percent, {100 * limits::uiScale.min, 100 * limits::uiScale.max},
-                     "In steps of 25.") &&
-          percent / 25 != before) {
-        preferences.uiScale = 0.25 * (percent / 25);
-      }
-    }
+    sizeRow(preferences);
     checkRow("T R S to move, rotate, scale", preferences.vrtKeys,
              "As in Virtual Ray Tracer, instead of W E R.");
   }

@@ -10,8 +10,10 @@
 #include "base/language.h"
 #include "base/text.h"
 #include "panels/highlight.h"
+#include "panels/number_text.h"
 #include "panels/style.h"
 #include "panels/typing_limit.h"
+#include "panels/wrapped_field.h"
 
 namespace anamorph {
 namespace {
@@ -42,6 +44,12 @@ void beginRow(const char* name, const char* help) {
 void endRow(const char* help) {
   tooltip(help);
   ImGui::PopID();
+}
+
+bool dragNumber(double& value, const NumberRange& range) {
+  const NumberText text(range.format, value);
+  return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(range.speed),
+                           &range.min, &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
 }
 
 // What is typed may be a calculation ("*1e999"), and ranges let nan pass.
@@ -84,9 +92,7 @@ bool section(const Look& look, const char* title, bool open) {
 bool numberRow(const char* name, double& value, const NumberRange& range, const char* help) {
   beginRow(name, help);
   const double before = value;
-  const bool changed =
-      ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(range.speed), &range.min,
-                        &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = dragNumber(value, range);
   endRow(help);
   return takeFinite(changed, value, before);
 }
@@ -111,8 +117,12 @@ bool sliderRow(const char* name, double& value, const NumberRange& range, const 
   const int flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   const double before = value;
   const TypeByDoubleClick types;
-  const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
-                                           range.format, flags);
+  bool changed = false;
+  {
+    const NumberText text(range.format, value);
+    changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &range.min, &range.max,
+                                  range.format, flags);
+  }
   endRow(help);
   return takeFinite(changed, value, before);
 }
@@ -135,9 +145,7 @@ bool vectorRow(const char* name, Vector& value, const NumberRange& range, const 
     if (axis > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     const double before = value[axis];
-    const bool dragged =
-        ImGui::DragScalar("##value", ImGuiDataType_Double, &value[axis], static_cast<float>(range.speed),
-                          &range.min, &range.max, range.format, ImGuiSliderFlags_AlwaysClamp);
+    const bool dragged = dragNumber(value[axis], range);
     changed |= takeFinite(dragged, value[axis], before);
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float thickness = std::max(2.0f, 0.09f * (high.y - low.y));
@@ -193,9 +201,7 @@ bool textFieldRow(const char* name, std::string& value, std::size_t most, int li
   ImGui::PushID(name);
   ImGui::TextUnformatted(tr(name));
   const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
-  const bool changed =
-      ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height}, ImGuiInputTextFlags_CallbackCharFilter,
-                                TypingLimit::filter, &limit);
+  const bool changed = wrappedField(value, height, limit);
   highlightItem(name);
   tooltip(help);
   ImGui::PopID();

@@ -78,7 +78,7 @@ std::string statusIn(const std::string& mapped, const StatusCounts& counts,
   for (std::size_t i = 1; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;
     rest += fmt::format("{}{} {}", rest.empty() ? "" : ", ", counts[i],
-                        in(pathStatusName(static_cast<PathStatus>(i))));
+                        in(pathStatusWords(static_cast<PathStatus>(i))));
   }
   return rest.empty() ? mapped : mapped + " (" + rest + ")";
 }
@@ -207,7 +207,7 @@ PreparedSculpture prepareSculpture(Sculpture sculpture, int threads) {
 }
 
 std::string contourText(double pixels) {
-  if (pixels < farthestContour) return fmt::format("{:.2f} px", pixels);
+  if (pixels < farthestContour) return shownFormat("{:.2f} px", pixels);
   return trFormat("{:g} px or more", farthestContour);
 }
 

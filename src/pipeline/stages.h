@@ -53,7 +53,7 @@ std::optional<std::string> findEmptiness(const Sculpture& sculpture);
 /// What is shown then: a sculpture without triangles that knows what became of the original's vertices.
 PreparedSculpture emptySculpture(const StatusCounts& counts);
 
-/// "6100 of 6146 vertices mapped (46 missesMirror)"
+/// "6100 of 6146 vertices mapped (46 miss the mirror)"
 std::string statusSentence(const StatusCounts& counts);
 /// The same in the chosen language.
 std::string shownStatus(const StatusCounts& counts);

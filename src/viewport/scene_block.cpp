@@ -6,6 +6,7 @@
 
 #include <glm/ext/vector_double4.hpp>
 
+#include "edit/camera_body.h"
 #include "math/palette.h"
 #include "raytrace/scene.h"
 #include "raytrace/tracer.h"
@@ -161,12 +162,6 @@ Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, doubl
   visible.screen = shown && display.screenOpacity > 0 && input.level.grid.distance > 0 && input.screen &&
                    !input.screen->pixels.empty();
   return visible;
-}
-
-double rtCameraSize(const PixelGrid& grid, double sceneRadius) {
-  constexpr double step = 1.1;
-  const double size = 0.05 * std::pow(step, std::round(std::log(sceneRadius) / std::log(step)));
-  return grid.distance > 0 ? std::min(size, 0.6 * grid.distance) : size;
 }
 
 SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure, const SurfaceSlots& slots,

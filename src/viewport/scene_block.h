@@ -94,10 +94,6 @@ struct Visible : ShaderKinds {
 };
 Visible findVisible(const ViewportInput& input, const SurfaceSlots& slots, double sceneRadius);
 
-/// Half the length of the RT camera's model, scene units. It follows the scene in steps, so that the model is seldom
-/// made anew while something moves.
-double rtCameraSize(const PixelGrid& grid, double sceneRadius);
-
 /// For a picture of width x height pixels, whose size may differ from the input's; `shift` moves the sample
 /// away from the middles of the pixels, right and up.
 SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measure, const SurfaceSlots& slots,

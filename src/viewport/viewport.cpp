@@ -10,6 +10,7 @@
 
 #include "base/check.h"
 #include "base/language.h"
+#include "edit/camera_body.h"
 #include "gl/framebuffer.h"
 #include "gl/gl_error.h"
 #include "gl/shader.h"

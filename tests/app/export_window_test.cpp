@@ -53,6 +53,20 @@ class ExportWindow : public GuiTest {
   TemporaryFolder folder;
 };
 
+TEST_F(ExportWindow, WhatWasSaidOfAnEarlierLevelGoes) {
+  ui().requests.checkPrint = true;
+  frames(1);
+  wait();
+  ASSERT_NE(ui().exporting.message, "");
+  ASSERT_FALSE(ui().exporting.rows.empty());
+  Level level = editor().session.level();
+  level.sculpture.depthScale *= 0.5;
+  editor().session.edit(level);
+  frames(1);
+  EXPECT_EQ(ui().exporting.message, "");
+  EXPECT_TRUE(ui().exporting.rows.empty());
+}
+
 TEST_F(ExportWindow, WritesEveryKindAndCountsIt) {
   const std::pair<ExportKind, const char*> files[] = {
       {ExportKind::sculpture, "s.stl"},    {ExportKind::viewingSheet, "s.pdf"},

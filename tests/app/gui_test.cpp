@@ -191,7 +191,7 @@ TEST_F(OpenGui, TheEyeIsLiftedWithoutStopping) {
   int drawn = 0;
   for (; drawn < 5000 && editor().job.busy(); ++drawn) frames(1);
   EXPECT_GT(drawn, 3) << "frames go on meanwhile";
-  EXPECT_GT(editor().session.level().camera.eye.z, 1) << editor().message;
+  EXPECT_GT(editor().session.level().camera.eye.z, 1) << editor().status.text();
   frames(1);
   while (!editor().updater.result().complete) frames(1);
   EXPECT_EQ(editor().updater.result().match->report.hiddenShare, 0);

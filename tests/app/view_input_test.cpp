@@ -70,7 +70,7 @@ TEST_F(ViewInput, ChangesWithWhatIsLookedAt) {
   EXPECT_TRUE(changes([&] { ui.hoveredCell = GridCell{2, 2}; }));
   EXPECT_FALSE(changes([&] { ui.mouse.hoveredHandle = GizmoHandle::x; }))
       << "is drawn over the view, not in it";
-  EXPECT_FALSE(changes([&] { editor.message = "hello"; }));
+  EXPECT_FALSE(changes([&] { editor.status.say("hello"); }));
 }
 
 TEST_F(ViewInput, HasTheSkyOfItsTheme) {

@@ -70,6 +70,14 @@ TEST_F(EditJobs, ComeTooLateAfterAnotherChange) {
   EXPECT_EQ(session.level(), numbered(1));
 }
 
+TEST_F(EditJobs, SayNothingOfALevelThatHasBeenChanged) {
+  job.start(session, "Work", [](const Level&, const Progress&) {
+    return EditResult{std::nullopt, "Nothing is hidden."};
+  });
+  session.edit(numbered(1));
+  EXPECT_NE(waitFor(job, session).find("Work: the level has been changed"), std::string::npos);
+}
+
 TEST_F(EditJobs, ComeTooLateAfterSavingElsewhere) {
   const TemporaryFolder folder;
   job.start(session, "Work", [](const Level&, const Progress&) { return EditResult{numbered(7), ""}; });

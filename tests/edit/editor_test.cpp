@@ -250,7 +250,7 @@ TEST(Editor, FailingToOpenChangesNothing) {
   editor.selection = {Part::mirror};
   editor.point = PickedPoint{};
   editor.display.morph = 0.3;
-  editor.message = "hello";
+  editor.status.say("hello");
   toggleLookThrough(editor);
   const Level level = editor.session.level();
   const ViewPose pose = editor.pose;
@@ -260,7 +260,19 @@ TEST(Editor, FailingToOpenChangesNothing) {
   EXPECT_EQ(editor.selection.part, Part::mirror);
   EXPECT_TRUE(editor.point && editor.lookingThrough && editor.flight);
   EXPECT_EQ(editor.display.morph, 0.3);
-  EXPECT_EQ(editor.message, "hello");
+  EXPECT_EQ(editor.status.text(), "hello");
+}
+
+TEST(Editor, AllOfTheSceneIsWithoutItsLights) {
+  Editor editor({}, 2);
+  openQuick(editor, "1-plane");
+  finish(editor);
+  const Box box = boxOf(editor, Selection{});
+  Level level = editor.session.level();
+  level.lights.front().position = {1e5, 0, 1e5};
+  editor.session.edit(level);
+  finish(editor);
+  EXPECT_EQ(boxOf(editor, Selection{}), box);
 }
 
 TEST(Editor, RaysAreAnimatedUnlessPausedOrHidden) {

@@ -24,7 +24,7 @@ Sculpture makeTestSculpture(const Level& level, int segments) {
   return makeSculpture(input);
 }
 
-TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
+TEST(MorphPoints, GoAtOneSpeedAlongTheVertexRays) {
   std::size_t mapped = 0, unmapped = 0;
   for (const ShapeKind kind : allShapeKinds) {
     for (unsigned seed = 0; seed < 100; ++seed) {
@@ -40,6 +40,12 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
       EXPECT_EQ(at(2), sculpture.mesh.positions);
       const double t = random.uniform(0, 1);
       const PointArray points = at(t);
+      double longest = 0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (sculpture.status[i] != PathStatus::mapped) continue;
+        const VertexRay ray = makeVertexRay(makeVertexMap(level), sculpture.original[i]);
+        longest = std::max(longest, ray.distance + glm::length(ray.sculpture - ray.legs.back().start));
+      }
       ASSERT_EQ(points.size(), sculpture.original.size());
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (sculpture.status[i] != PathStatus::mapped) {
@@ -50,7 +56,7 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
         ++mapped;
         const VertexRay ray = makeVertexRay(makeVertexMap(level), sculpture.original[i]);
         const double in = ray.distance, out = glm::length(ray.sculpture - ray.legs.back().start),
-                     gone = t * (in + out);
+                     gone = std::min(t * longest, in + out);
         const Point wanted = gone < in
                                  ? ray.original + gone * glm::normalize(ray.legs.back().start - ray.original)
                                  : ray.legs.back().start + (gone - in) * ray.legs.back().direction;
@@ -60,6 +66,19 @@ TEST(MorphPoints, GoEvenlyAlongTheVertexRays) {
   }
   EXPECT_GT(mapped, 5000u);
   EXPECT_GT(unmapped, 100u);
+}
+
+TEST(MorphPoints, NeverLieFlatInAPlaneMirror) {
+  for (const double depthScale : {0.5, 1.0, 2.0}) {
+    Level level;  // a box behind a mirror in the plane y = 0
+    level.sculpture.depthScale = depthScale;
+    const Sculpture sculpture = makeTestSculpture(level, 4);
+    for (int percent = 0; percent <= 100; ++percent) {
+      const PointArray points = morphPoints(sculpture, makeVertexMap(level), 0.01 * percent);
+      const Vector size = boundingBox(points).size();
+      EXPECT_GT(size.y, 0.1 * std::min(1.0, depthScale)) << percent << " %, k = " << depthScale;
+    }
+  }
 }
 
 TEST(MorphPoints, AreTheSameForEveryNumberOfThreads) {

@@ -132,7 +132,7 @@ TEST_F(NewShape, GoesThroughLevelFiles) {
   std::string broken = text;
   broken.replace(broken.find("\"radius\": 4"), 11, "\"radius\": 0");
   EXPECT_EQ(withoutPlaces(errorOf([&] { parseLevel(broken, "disc.json"); })),
-            "disc.json: /optic/shape/radius: expected a number from 1e-06 to 1e+06, got 0");
+            "disc.json: /optic/shape/radius: expected a number from 0.000001 to 1000000, got 0");
 }
 
 TEST_F(NewShape, IsMappedThrough) {

@@ -53,6 +53,28 @@ TEST(Orbit, HoldsTheSceneAtTheMouse) {
   EXPECT_NEAR(degrees(std::atan2(right.eye.x, -right.eye.y)), -20, 1e-9) << "0.4 degrees a pixel";
 }
 
+TEST(KeptAbove, AMotionEndsAtTheFloorUnlessItBeginsBelow) {
+  int stopped = 0, free = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const ViewPose pose = randomPose(random, true);
+    const double floor = random.uniform(-5, 5), x = random.uniform(-300, 300), y = random.uniform(-300, 300);
+    const auto moved = [&](double part) { return orbit(pose, x, part * y); };
+    const ViewPose kept = keptAbove(floor, pose, moved), whole = moved(1);
+    if (!(pose.eye.z > floor) || whole.eye.z > floor) {
+      EXPECT_EQ(kept, whole);
+      ++free;
+    } else {
+      EXPECT_GT(kept.eye.z, floor);
+      EXPECT_LT(kept.eye.z, floor + 1e-3 * distanceOf(pose));
+      ++stopped;
+    }
+  }
+  EXPECT_GT(stopped, 100);
+  EXPECT_GT(free, 100);
+}
+
 TEST(Orbit, KeepsTargetDistanceAndHorizon) {
   for (unsigned seed = 0; seed < 1000; ++seed) {
     SCOPED_TRACE(seed);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/camera_body.h"
 #include "edit/edit_levels.h"
 #include "geometry/shapes.h"
 #include "pipeline/original.h"
@@ -92,6 +93,23 @@ TEST(Pick, AGhostIsPickedThroughTheMirrorOnly) {
   EXPECT_EQ(made.at(front, Point(0, 0, 30)).selection.part, Part::none);
 }
 
+TEST(Pick, TheBodyOfTheRtCameraIsTheEye) {
+  Made made(Level{});
+  made.display.rtCamera = true;
+  const Camera& camera = made.level.camera;
+  const double radius = measureScene(boxOf(makeReflectionScene(made.level, made.sculpture))).radius;
+  const double size = rtCameraSize(made.level.grid, radius);
+  const Direction forward = Projection(camera, 1, 1).frame().forward;
+  const Point back = camera.eye - 1.3 * size * forward;
+  const ViewPose near{back + Vector(8 * size, -2 * size, 3 * size), back};
+  const ViewProjection view(near, 800, 600);
+  ASSERT_GT(glm::length(*view.pixelOf(camera.eye) - *view.pixelOf(back)), 3 * iconPixels);
+  EXPECT_EQ(made.at(near, back).selection, (Selection{Part::eye}));
+  EXPECT_NE(made.at(near, back + Vector(0, 0, 2 * size)).selection.part, Part::eye) << "above it";
+  made.display.rtCamera = false;
+  EXPECT_NE(made.at(near, back).selection.part, Part::eye);
+}
+
 TEST(Pick, TrianglesThatAreNotDrawnAreNotPicked) {
   Made made(Level{});
   const ViewPose front{{0, -14, 1}, {0, -3.4, 1}};
@@ -122,6 +140,10 @@ TEST(Pick, FindsTheCellsOfThePixelGrid) {
     const auto eye = ViewProjection(pose, 800, 600).pixelOf(level.camera.eye);
     const auto seen = ViewProjection(pose, 800, 600).pixelOf(middle);
     if (glm::length(*eye - *seen) < 2 * iconPixels) continue;
+    const double size =
+        rtCameraSize(level.grid, measureScene(boxOf(makeReflectionScene(level, made.sculpture))).radius);
+    const auto body = intersectRtCamera(level.camera, size, {pose.eye, middle - pose.eye});
+    if (body && *body < 1) continue;  // it is in front
     const Pick picked = made.at(pose, middle);
     ASSERT_TRUE(picked.cell);
     EXPECT_EQ(*picked.cell, cell);

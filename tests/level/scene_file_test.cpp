@@ -114,11 +114,11 @@ TEST(SceneFile, IsAsStrictAsALevel) {
   EXPECT_EQ(complaintOf(sceneOf(both(sphere, mesh), "[0, -12]")),
             "s.json: /Eye: expected an array of 3 numbers, got [0, -12]");
   EXPECT_EQ(complaintOf(sceneOf(both(sphere, mesh), "[0, -12, 1e7]")),
-            "s.json: /Eye/2: expected a number from -1e+06 to 1e+06, got 1e7");
+            "s.json: /Eye/2: expected a number from -1000000 to 1000000, got 1e7");
   EXPECT_EQ(complaintOf(sceneOf(R"({"type": "cone"})")),
             "s.json: /Objects/0/type: expected \"quad\", \"cylinder\", \"sphere\" or \"mesh\", got \"cone\"");
   EXPECT_EQ(complaintOf(sceneOf(both(mesh, R"({"type": "sphere", "position": [0, 0, 4], "radius": -4})"))),
-            "s.json: /Objects/1/radius: expected a number from 1e-06 to 1e+06, got -4");
+            "s.json: /Objects/1/radius: expected a number from 0.000001 to 1000000, got -4");
   EXPECT_EQ(complaintOf(sceneOf(both(mesh, R"({"type": "cylinder", "topPoint": [0, 0, 4], "radius": 4})"))),
             "s.json: /Objects/1: expected the key \"bottomPoint\", got an object without it");
   EXPECT_EQ(complaintOf(sceneOf(

@@ -118,7 +118,7 @@ TEST(SentLevel, ABadTextIsToldWhatIsWrong) {
       {"{\"format\": \"anamorph-level\"}",
        "the text: expected the key \"version\", got an object without it"},
       {replaced(byHand, "\"radius\": 2", "\"radius\": -2"),
-       "the text: /optic/shape/radius: expected a number from 1e-06 to 1e+06, got -2"},
+       "the text: /optic/shape/radius: expected a number from 0.000001 to 1000000, got -2"},
       {replaced(byHand, "2.25", "2. 25"),
        "the text: line 2, column 76: syntax error while parsing value - invalid number; expected digit after "
        "'.'; last read: '2. '"},

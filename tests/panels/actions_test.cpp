@@ -93,7 +93,7 @@ std::string stateOf(const Editor& editor, const UiState& ui) {
   const UiRequests& r = ui.requests;
   std::string state = levelAsText(editor.session.level(), {});
   const auto add = [&](const auto&... values) { ((state += " " + fmt::format("{}", values)), ...); };
-  add(editor.session.canUndo(), editor.session.canRedo(), editor.session.generation(), editor.message);
+  add(editor.session.canUndo(), editor.session.canRedo(), editor.session.generation(), editor.status.text());
   add(int(editor.selection.part), editor.selection.index, editor.cell.has_value(), editor.point.has_value());
   add(int(editor.gizmoMode), editor.gizmoLocal, editor.pose.eye.x, editor.pose.eye.y, editor.pose.eye.z);
   add(editor.pose.orthographic, editor.flight.has_value(), editor.lookingThrough, editor.preview.expanded);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "level/json.h"
@@ -10,11 +11,21 @@
 
 namespace anamorph::testing {
 
+/// The English texts of the Dutch table with the Dutch ones.
+inline std::vector<std::pair<std::string, std::string>> dutchTexts() {
+  const JsonValue json = parseJson(textOf(sourceFolder / "assets/languages/nl.json"), "nl.json");
+  const auto at = std::find(json.keys.begin(), json.keys.end(), "texts") - json.keys.begin();
+  const JsonValue& table = json.items.at(static_cast<std::size_t>(at));
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (std::size_t i = 0; i < table.keys.size(); ++i) texts.emplace_back(table.keys[i], table.items[i].text);
+  return texts;
+}
+
 /// The English texts that the Dutch table has.
 inline std::vector<std::string> dutchKeys() {
-  const JsonValue json = parseJson(textOf(sourceFolder / "assets/languages/nl.json"), "nl.json");
-  const auto texts = std::find(json.keys.begin(), json.keys.end(), "texts") - json.keys.begin();
-  return json.items.at(static_cast<std::size_t>(texts)).keys;
+  std::vector<std::string> keys;
+  for (const auto& [english, dutch] : dutchTexts()) keys.push_back(english);
+  return keys;
 }
 
 inline bool isSmall(char c) {

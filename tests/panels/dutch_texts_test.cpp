@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -155,6 +157,42 @@ TEST_F(SourceTexts, AreInTheDutchTableUnlessTheyAreNamesOrFormats) {
         << "\"\nis neither in assets/languages/nl.json nor in tests/data/untranslated.txt";
   }
   EXPECT_GT(found, 500u);
+}
+
+// Of a rule that is broken in one place it is said where.
+void expectNone(const std::vector<fs::path>& files, const std::regex& wrong, const char* why) {
+  for (const fs::path& file : files) {
+    const std::string code = textOf(file);
+    for (std::sregex_iterator match(code.begin(), code.end(), wrong), end; match != end; ++match)
+      ADD_FAILURE() << file << ": " << match->str() << "\n" << why;
+  }
+}
+
+// Numbers that people read are written at one place, by trFormat() and shownFormat(): with the language's decimal sign,
+// without exponents, and never "-0.00".
+TEST(ShownNumbers, AreWrittenAtOnePlace) {
+  const std::regex ownFormat("fmt::format\\(\\s*\"[^\"]*\\{[0-9]*:[^\"}]*[fge]\\}");
+  for (const char* room : {"edit", "panels", "optics"})
+    expectNone(sourceFiles(room), ownFormat, "use trFormat() or shownFormat() (base/language.h)");
+}
+
+TEST(DutchNumbers, HaveDecimalCommas) {
+  const std::regex point("[0-9]\\.[0-9]"), place("\\{[^}]*\\}");
+  for (const auto& [english, dutch] : dutchTexts()) {
+    const std::string text = std::regex_replace(dutch, place, "");
+    EXPECT_FALSE(std::regex_search(text, point)) << dutch;
+  }
+}
+
+// One word for one thing.
+TEST(DutchWords, AreOneForOneThing) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [english, dutch] : dutchTexts()) texts[english] = dutch;
+  EXPECT_NE(texts.at("Mirror"), texts.at("Reflection"));
+  for (const auto& [english, dutch] : texts) {
+    for (const char* other : {"diepteschaal", "weerspiegeling", "variëteit", "gaaf"})
+      EXPECT_EQ(dutch.find(other), std::string::npos) << dutch;
+  }
 }
 
 }  // namespace

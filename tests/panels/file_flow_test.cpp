@@ -89,7 +89,7 @@ TEST_F(FileFlow, SavesToTheLevelsOwnFile) {
   EXPECT_FALSE(editor.session.modified());
   EXPECT_EQ(savedDepth("mine.json"), 2);
   EXPECT_FALSE(isDialogOpen(ui));
-  EXPECT_NE(editor.message.find("mine.json"), std::string::npos);
+  EXPECT_NE(editor.status.text().find("mine.json"), std::string::npos);
   EXPECT_EQ(ui.recentLevels.front(), folder_ / "mine.json");
 }
 
@@ -409,7 +409,7 @@ TEST_F(FileFlow, AMeshWithoutUseIsTold) {
   writeText(folder_ / "broken.obj", "f 1 2 3\n");
   acceptFiles({folder_ / "broken.obj"}, editor, ui);
   waitForJob();
-  EXPECT_NE(editor.message.find("broken.obj"), std::string::npos) << editor.message;
+  EXPECT_NE(editor.status.text().find("broken.obj"), std::string::npos) << editor.status.text();
   EXPECT_EQ(editor.session.level(), before);
   EXPECT_FALSE(editor.session.canUndo());
 }
@@ -440,10 +440,10 @@ TEST_F(FileFlow, WhatAMeshFileHasLostIsTold) {
   writeText(folder_ / "wedge.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 2 3 4\nf 1 2\n");
   acceptFiles({folder_ / "wedge.obj"}, editor, ui);
   waitForJob();
-  EXPECT_NE(editor.message.find("2 triangles"), std::string::npos) << editor.message;
-  EXPECT_NE(editor.message.find("wedge.obj: line 7: 1 face of fewer than three corners left out"),
+  EXPECT_NE(editor.status.text().find("2 triangles"), std::string::npos) << editor.status.text();
+  EXPECT_NE(editor.status.text().find("wedge.obj: line 7: 1 face of fewer than three corners left out"),
             std::string::npos)
-      << editor.message;
+      << editor.status.text();
   editor.updater.finish(editor.session, {});
   EXPECT_EQ(editor.updater.result().shapeWarnings.size(), 1u);
 }

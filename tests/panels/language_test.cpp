@@ -35,7 +35,7 @@ TEST(DutchTexts, HaveTheNamesThatAreMadeElsewhere) {
   const std::set<std::string> known(keys.begin(), keys.end());
   std::vector<std::string> names;
   for (int i = 0; i < matchGradeCount; ++i) names.emplace_back(matchGradeName(static_cast<MatchGrade>(i)));
-  for (int i = 1; i < 5; ++i) names.emplace_back(pathStatusName(static_cast<PathStatus>(i)));
+  for (int i = 0; i < pathStatusCount; ++i) names.emplace_back(pathStatusWords(static_cast<PathStatus>(i)));
   for (const ShapeType& type : shapeTypes()) names.emplace_back(type.name);
   names.emplace_back(surfaceName({OpticKind::mirror, {}}));
   names.emplace_back(surfaceName({OpticKind::canvas, {}}));

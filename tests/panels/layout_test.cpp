@@ -159,5 +159,31 @@ TEST(Rect, ContainsItsLowerEdgesOnly) {
   EXPECT_FALSE(Rect().contains(0, 0));
 }
 
+TEST(FittingScale, LeavesRoomForAllPanels) {
+  for (const auto& [width, height] :
+       {std::pair{1280.0, 800.0}, {1920.0, 1080.0}, {1024.0, 768.0}, {800.0, 600.0}}) {
+    for (const double wanted : {0.75, 1.0, 1.25, 2.0, 2.5, 3.75}) {
+      SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", " + std::to_string(wanted));
+      const double scale = fittingScale(wanted, width, height);
+      EXPECT_LE(scale, wanted);
+      EXPECT_GE(scale, std::min(wanted, 1.0));
+      LayoutInput in;
+      in.width = static_cast<float>(width);
+      in.height = static_cast<float>(height);
+      in.scale = static_cast<float>(scale);
+      in.leftWidth = 264;
+      in.rightWidth = 336;
+      in.previewHeight = 416;
+      in.levels = 6;
+      const Layout layout = makeLayout(in);
+      for (const Rect& rect :
+           {layout.menu, layout.lesson, layout.view, layout.properties, layout.preview, layout.status})
+        EXPECT_FALSE(rect.empty());
+    }
+  }
+  EXPECT_EQ(fittingScale(2.5, 320, 200), 1) << "there the panels give way";
+  EXPECT_EQ(fittingScale(2, 1920, 1080), 2);
+}
+
 }  // namespace
 }  // namespace anamorph

@@ -89,7 +89,7 @@ TEST_F(LevelSharing, WhatIsCopiedIsPastedAsOneStep) {
   editor.session.undo();
   act(Action::pasteLevel);
   EXPECT_EQ(editor.session.level(), level);
-  EXPECT_EQ(editor.message, "The level has been pasted; Ctrl+Z takes it back.");
+  EXPECT_EQ(editor.status.text(), "The level has been pasted; Ctrl+Z takes it back.");
   editor.session.undo();
   EXPECT_FALSE(editor.session.modified()) << "one step";
 }
@@ -98,7 +98,7 @@ TEST_F(LevelSharing, WhatWasMendedIsSaid) {
   std::string text = sentWith("cube.obj");
   text.insert(text.find("Mine") + 2, "\n");
   paste("Look:\n" + text);
-  EXPECT_EQ(editor.message,
+  EXPECT_EQ(editor.status.text(),
             "The level has been pasted; Ctrl+Z takes it back. Mended: words around it left out, broken lines "
             "joined.");
   EXPECT_EQ(meshPath(), "cube.obj");
@@ -150,7 +150,7 @@ TEST_F(LevelSharing, AStandInIsWhereTheCameraLooks) {
   key('S');
   EXPECT_FALSE(isDialogOpen(ui));
   EXPECT_TRUE(std::holds_alternative<PawnShape>(editor.session.level().original.shape));
-  EXPECT_EQ(editor.message, "A pawn stands in for knot.obj; Ctrl+Z takes it back.");
+  EXPECT_EQ(editor.status.text(), "A pawn stands in for knot.obj; Ctrl+Z takes it back.");
   editor.updater.finish(editor.session, {});
   const Box box = boundingBox(editor.updater.result().original.mesh->positions);
   EXPECT_LT(glm::length(box.centre() - before.camera.target), 1e-6);
@@ -191,7 +191,7 @@ TEST_F(LevelSharing, AMeshIsImportedThoughTheOldOneIsMissing) {
     step(1);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  EXPECT_EQ(meshPath(), "cube.obj") << editor.message;
+  EXPECT_EQ(meshPath(), "cube.obj") << editor.status.text();
 }
 
 TEST_F(LevelSharing, WhatCannotBeReadIsNotShownAsWhatWasBefore) {
@@ -227,9 +227,9 @@ TEST_F(LevelSharing, AMeshTravelsInside) {
   editor.session.edit(level);
   editor.updater.finish(editor.session, {});
   act(Action::copyLevel);
-  EXPECT_EQ(editor.message, "The level is on the clipboard, as text; it needs cube.obj, too.");
+  EXPECT_EQ(editor.status.text(), "The level is on the clipboard, as text; it needs cube.obj, too.");
   act(Action::copyLevelWithMesh);
-  EXPECT_EQ(editor.message, "The level is on the clipboard, as text.");
+  EXPECT_EQ(editor.status.text(), "The level is on the clipboard, as text.");
   fs::remove(folder_ / "cube.obj");
   openFile("mine.json");
   act(Action::pasteLevel);
@@ -237,7 +237,7 @@ TEST_F(LevelSharing, AMeshTravelsInside) {
   editor.updater.finish(editor.session, {});
   EXPECT_EQ(editor.updater.result().original.mesh->positions.size(), 8u);
   act(Action::copyLevel);
-  EXPECT_EQ(editor.message, "The level is on the clipboard, as text.") << "it stays inside";
+  EXPECT_EQ(editor.status.text(), "The level is on the clipboard, as text.") << "it stays inside";
 }
 
 TEST_F(LevelSharing, ALargeMeshIsToldToStay) {

@@ -56,7 +56,7 @@ class LongTextTest : public PanelsTest {
       entry.title = entry.problem = level.text->title;
       entry.lesson = parseLesson(level.text->lesson, "l");
     }
-    editor.message = level.text->title;
+    editor.status.say(level.text->title);
     ui.progress.open = true;
     ui.notice = Notice{"The level could not be opened", level.text->title};
     frames(3);

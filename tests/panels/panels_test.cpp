@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "base/language.h"
 #include "edit/advance.h"
 #include "panels/widgets.h"
 #include "panels_fixture.h"
@@ -77,7 +78,7 @@ constexpr State states[] = {
      }},
     {"rotating", [](Editor& editor, UiState&) { editor.gizmoMode = GizmoMode::rotate; }},
     {"scaling", [](Editor& editor, UiState&) { editor.gizmoMode = GizmoMode::scale; }},
-    {"long message", [](Editor& editor, UiState&) { editor.message = std::string(3000, 'w'); }},
+    {"long message", [](Editor& editor, UiState&) { editor.status.say(std::string(3000, 'w')); }},
 };
 
 class EveryLevel : public PanelsTest, public ::testing::WithParamInterface<std::string> {};
@@ -473,6 +474,88 @@ TEST_F(GizmoInTheView, DragIsOneStepAndEscTakesItBack) {
     EXPECT_EQ(steps(), keep ? 1 : 0);
     editor.session.undo();
     EXPECT_EQ(editor.session.level(), opened);
+  }
+}
+
+// Only the handle of k is left, on the ray, so that the construction can be seen.
+TEST_F(GizmoInTheView, MakesRoomForAConstruction) {
+  open("1-plane");
+  editor.selection = {Part::original};
+  frames(2);
+  EXPECT_FALSE(currentGizmo(editor, ui).gizmo.empty());
+  editor.point = PickedPoint{};
+  frames(2);
+  EXPECT_TRUE(currentGizmo(editor, ui).gizmo.empty());
+  perform(Action::rotateMode, editor, ui);
+  EXPECT_FALSE(editor.point) << "who wants to turn it wants the gizmo";
+  EXPECT_FALSE(currentGizmo(editor, ui).gizmo.empty());
+}
+
+TEST_F(GizmoInTheView, TheHandleOfTheDepthScaleSitsOnTheRay) {
+  open("1-plane");
+  editor.selection = {Part::sculpture};
+  editor.point = PickedPoint{};
+  frames(2);
+  const ViewProjection view(editor.pose, editor.viewWidth, editor.viewHeight);
+  const Pixel start = *view.pixelOf(currentConstruction(editor)->ray.sculpture);
+  const ImVec2 grip{ui.layout.view.x + static_cast<float>(start.x),
+                    ui.layout.view.y + static_cast<float>(start.y)};
+  VertexMap map = makeVertexMap(editor.session.level());
+  map.depthScale = 0.6;
+  const Pixel goal = *view.pixelOf(makeVertexRay(map, currentConstruction(editor)->ray.original).sculpture);
+  moveMouse(grip.x, grip.y);
+  frames(2);
+  press(true);
+  frame();
+  ASSERT_EQ(ui.mouse.drag, ViewDrag::gizmo);
+  moveMouse(ui.layout.view.x + static_cast<float>(goal.x), ui.layout.view.y + static_cast<float>(goal.y));
+  frame();
+  const double depthScale = editor.session.level().sculpture.depthScale;
+  EXPECT_NEAR(depthScale, 0.6, 0.01);
+  EXPECT_EQ(editor.status.text(), shownFormat("k = {:.2f}", depthScale));
+  letGo();
+}
+
+TEST_F(GizmoInTheView, ASecondClickOnAVertexLetsItGo) {
+  open("1-plane");
+  frames(2);
+  const PreparedSculpture& sculpture = editor.updater.result().sculpture;
+  const ViewProjection view(editor.pose, editor.viewWidth, editor.viewHeight);
+  const Pixel at = *view.pixelOf(sculpture.prepared.box.centre());
+  const float x = ui.layout.view.x + static_cast<float>(at.x),
+              y = ui.layout.view.y + static_cast<float>(at.y);
+  click(x, y);
+  ASSERT_TRUE(editor.point);
+  frames(30);  // no double click
+  click(x, y);
+  EXPECT_FALSE(editor.point);
+  EXPECT_EQ(editor.selection, (Selection{Part::sculpture}));
+}
+
+// With the ground shown a drag of the view ends at the floor, with it hidden it goes on.
+TEST_F(PanelsTest, TheViewDoesNotGoBelowTheFloorByAccident) {
+  for (const bool visible : {true, false}) {
+    open("1-plane");
+    Level level = editor.session.level();
+    level.ground.visible = visible;
+    editor.session.edit(level);
+    frames(2);
+    const float x = ui.layout.view.x + 30, y = ui.layout.view.y + ui.layout.view.height - 30;
+    moveMouse(x, y);
+    frames(2);
+    press(true);
+    frame();
+    for (int i = 1; i <= 20; ++i) {
+      moveMouse(x, y - 30 * static_cast<float>(i));
+      frame();
+    }
+    letGo();
+    if (visible) {
+      EXPECT_GT(editor.pose.eye.z, 0);
+      EXPECT_LT(editor.pose.eye.z, 1);
+    } else {
+      EXPECT_LT(editor.pose.eye.z, 0);
+    }
   }
 }
 

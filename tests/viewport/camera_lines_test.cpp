@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "edit/camera_body.h"
 #include "random_scene.h"
 #include "viewport/camera_model.h"
 #include "viewport/scene_block.h"
@@ -30,6 +31,17 @@ TEST(CameraModel, IsMadeAnewOnlyForAnotherCamera) {
   EXPECT_EQ(model.count(), 3);
   camera.eye.x = std::nan("");
   EXPECT_FALSE(model.at(camera, 0.6).mesh);
+}
+
+TEST(CameraModel, IsInTheBodyThatIsPicked) {
+  const PreparedMesh model = makeCameraModel(Point(0), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1);
+  const Box box = boundingBox(model.mesh->positions);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(box.min[axis], rtCameraBody.min[axis], 0.09);
+    EXPECT_NEAR(box.max[axis], rtCameraBody.max[axis], 0.09);
+    EXPECT_GE(box.min[axis], rtCameraBody.min[axis] - 1e-9);
+    EXPECT_LE(box.max[axis], rtCameraBody.max[axis] + 1e-9);
+  }
 }
 
 // While something is dragged the scene grows and shrinks a little in every frame.

@@ -169,6 +169,33 @@ TEST_F(Content, GhostShinesThroughTheMirror) {
   EXPECT_GT(difference.fractionOver, 0.005);
 }
 
+// Where both are in the same place, or one is seen through the other's reflection, there is one colour of the two.
+TEST_F(Content, GhostAndSculptureDoNotMix) {
+  for (const char* name : {"0-perspective", "1-plane"}) {
+    SCOPED_TRACE(name);
+    const LevelResult& finished = finishedLevel(name);
+    Level level = finished.level;
+    level.sculpture.depthScale = 1;
+    ViewportInput input = startInput(*finishLevel(level, finished.original.mesh, 0), 320, 240);
+    input.display.rtCamera = false;
+    input.display.originalLook = OriginalLook::hidden;
+    const Bitmap without = pictureOf(input);
+    input.display.originalLook = OriginalLook::ghost;
+    const Bitmap with = pictureOf(input);
+    int orange = 0, mixed = 0;
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 320; ++x) {
+        const Rgba c = at(without, x, y), now = at(with, x, y);
+        if (!(c.r > c.b + 60)) continue;
+        ++orange;
+        mixed += !(now.r > now.b + 60);
+      }
+    }
+    EXPECT_GT(orange, 1000);
+    EXPECT_LT(mixed, 0.02 * orange) << "borders only";
+  }
+}
+
 TEST_F(Content, OriginalIsInTheMirrorOnRequest) {
   ViewportInput input = bareInput();
   input.pose = {{0, -14, 3}, {0, 0, 3}, {0, 0, 1}, 40, false};
