@@ -107,7 +107,7 @@ TEST(ExportCommand, TellsWrongUsage) {
       {"export 1 -o a.pdf --scale 1:nan", "--scale: expected fit or a ratio as 1:2, got 1:nan\n"},
       {"export 1 -o a.pdf --page A5", "--page: A5 not in {A4,A3,letter} (the option -h explains)\n"},
       {"export 1 -o a.stl --mm-per-unit 0",
-       "--mm-per-unit: expected a number from 1e-06 to 1000000, got 0 (the option -h explains)\n"},
+       "--mm-per-unit: expected a number from 0.000001 to 1000000, got 0 (the option -h explains)\n"},
       {"export 1 -o a.stl --base-plate 0.1",
        "--base-plate: expected a number from 0.2 to 100, got 0.1 (the option -h explains)\n"},
   };

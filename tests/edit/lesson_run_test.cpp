@@ -145,7 +145,7 @@ TEST_F(LessonRunTest, BackAndAJumpRestoreWhatAStepBeginsWithAndNextDoesNot) {
   wanted.sculpture.depthScale = 0.5;
   EXPECT_EQ(editor.session.level(), wanted);
   EXPECT_FALSE(isStartMissed(editor.lesson));
-  EXPECT_FALSE(editor.message.empty()) << "it is said";
+  EXPECT_FALSE(editor.status.text().empty()) << "it is said";
   openStep(editor, 0);
   EXPECT_EQ(editor.session.level(), file);
   editor.session.undo();

@@ -39,7 +39,7 @@ TEST(FileFaults, AreToldAllAtOnceInTheOrderOfTheFile) {
       "line 3, column 48: /optic/shape/type: expected \"plane\", \"cylinder\", \"sphere\" or \"cone\", got "
       "\"cilinder\"; did you mean \"cylinder\"?",
       "line 3, column 70: /optic/shape/bottom: expected an array of 3 numbers, got [0, 0]",
-      "line 4, column 30: /camera/eye/2: expected a number from -1e+06 to 1e+06, got \"9\"",
+      "line 4, column 30: /camera/eye/2: expected a number from -1000000 to 1000000, got \"9\"",
       "line 4, column 71: /camera/fovDegrees: expected a number from 1 to 170, got 200",
       "line 5, column 34: /original/shape/type: expected \"box\", \"sphere\", \"torusKnot\", \"letterF\", "
       "\"pawn\" or "
