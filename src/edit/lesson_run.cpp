@@ -69,7 +69,6 @@ enum class Arrival { onward, afresh };
 
 void beginStep(Editor& editor, Arrival arrival) {
   LessonRun& run = editor.lesson;
-  restRays(editor);
   run.begin = factsOf(editor);
   run.wasFalse.clear();
   run.seen.clear();
@@ -230,6 +229,7 @@ void nextStep(Editor& editor) {
   if (isOnlyRead(run.open())) markDone(editor);
   if (run.step + 1 == run.lesson.steps.size()) return;
   finishPlay(editor);
+  restRays(editor);
   ++run.step;
   beginStep(editor, Arrival::onward);
 }

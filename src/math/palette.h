@@ -57,7 +57,7 @@ inline constexpr ForThemes bad{Rgb{0xFF7A4D}, Rgb{0xB93A00}};
 // ---- Signs of the window
 
 constexpr Rgb folder = orange, badge = orange;
-constexpr Rgb pointedAt{0xFF7800};  ///< what "show me" and the tour point at
+constexpr Rgb pointedAt{0xFF7800};  ///< what a lesson and the tour point at
 constexpr Rgb mouseDisc{0xFFD200}, mouseRing{0xFFAA00};
 
 // ---- Printed pages

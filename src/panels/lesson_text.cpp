@@ -8,7 +8,6 @@
 #include "base/language.h"
 #include "edit/lesson_run.h"
 #include "edit/lesson_start.h"
-#include "panels/actions.h"
 #include "panels/figures.h"
 #include "panels/highlight.h"
 #include "panels/property_tabs.h"
@@ -34,8 +33,8 @@ void barred(const std::string& text, const ImVec4& color, LongTexts& texts, cons
 void offerStart(Editor& editor, UiState& ui) {
   if (editor.lesson.done || !isStartMissed(editor.lesson)) return;
   quietText(ui, "This step is meant to begin with another level than you have now.");
-  if (ImGui::Button(tr("Set it up"))) perform(Action::restartStep, editor, ui);
-  tooltip(rowOf(Action::restartStep).help);
+  if (ImGui::Button(tr("Set it up"))) openStep(editor, editor.lesson.step);
+  tooltip("With the level that it is meant to begin with; can be undone");
 }
 
 // An answer can be given until the right one is; each says what is wrong or right about it.

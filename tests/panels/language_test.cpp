@@ -242,7 +242,8 @@ TEST_F(DrawnText, OfTheWindowsIsTranslated) {
   ui.progress.open = true;
   look("progress");
   ui.progress.open = false;
-  for (ui.tour.card = 0; ui.tour.card < tourCards; ++ui.tour.card) look("tour " + std::to_string(ui.tour.card));
+  for (ui.tour.card = 0; ui.tour.card < tourCards; ++ui.tour.card)
+    look("tour " + std::to_string(ui.tour.card));
   ui.tour.card = -1;
   ui.presenting = true;
   look("presenting");
