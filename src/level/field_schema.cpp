@@ -118,7 +118,7 @@ void FieldSchema::startChoice(const char* key, std::vector<std::string> names) {
   need({key});
   add(key, {});
   choiceKey_ = key;
-  names_ = std::move(names);
+  choices_ = std::move(names);
 }
 
 JsonValue schemaOfChoice(const std::vector<FieldSchema>& alternatives) {
@@ -127,7 +127,7 @@ JsonValue schemaOfChoice(const std::vector<FieldSchema>& alternatives) {
     std::vector<std::string> names;
   };
   std::vector<Group> groups;
-  const std::vector<std::string>& names = alternatives.front().names();
+  const std::vector<std::string>& names = alternatives.front().choices();
   for (std::size_t i = 0; i < alternatives.size(); ++i) {
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
       return group.schema->finish({}) == alternatives[i].finish({});

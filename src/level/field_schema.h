@@ -8,9 +8,11 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +44,7 @@ class FieldSchema {
   void numberOrOff(const char* key, double&, Range range);
   void textOrNone(const char* key, std::string&, std::size_t most);
   void oneOf(const char* key, std::string&, const std::vector<std::string>& names);
+  /// One of them, or an array of some.
   void names(const char* key, std::vector<std::string>&, const std::vector<std::string>& allowed);
   template <typename Part>
   void textOf(const char* key, std::string&, std::size_t) {
@@ -61,11 +64,14 @@ class FieldSchema {
   template <typename Part>
   void object(const char* key, Part&& part);
   template <typename Part>
+  void optionalObject(const char* key, std::optional<Part>&) {
+    object(key, Part{});
+  }
+  template <typename Part>
   void list(const char* key, std::vector<Part>&, std::size_t most);
 
-  /// The key of the choice that was met; empty: none.
-  const std::string& choiceKey() const { return choiceKey_; }
-  const std::vector<std::string>& names() const { return names_; }
+  /// The names of the choice that was met; empty: none.
+  const std::vector<std::string>& choices() const { return choices_; }
   /// The object's schema, with these names for the choice.
   JsonValue finish(const std::vector<std::string>& names) const;
 
@@ -84,8 +90,8 @@ class FieldSchema {
   }
 
   std::size_t chosen_;
-  std::string choiceKey_;
-  std::vector<std::string> names_, needed_;
+  std::string choiceKey_;  // empty: none
+  std::vector<std::string> choices_, needed_;
   std::vector<std::pair<std::string, JsonValue>> properties_;
 };
 
@@ -99,7 +105,7 @@ JsonValue schemaOf(const Part& part) {
   do {
     Part walked = part;  // a choice changes it
     fields(alternatives.emplace_back(alternatives.size()), walked);
-  } while (alternatives.size() < alternatives.front().names().size());
+  } while (alternatives.size() < alternatives.front().choices().size());
   return schemaOfChoice(alternatives);
 }
 

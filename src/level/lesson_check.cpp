@@ -49,12 +49,14 @@ LevelScene played(LevelScene level, const StepMove& move) {
   take(level.sculpture.depthScale, move.depthScale);
   take(level.sculpture.tolerancePixels, move.tolerancePixels);
   if (auto* box = std::get_if<BoxShape>(&level.original.shape)) take(box->segments, move.segments);
-  if (!move.putRight.empty()) mistakeOf(level.sculpture.mistakes, move.putRight) = false;
+  for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
   return level;
 }
 
-// Whether the condition can be true after the move; figures of the match are not computed for it.
-bool canHold(const StepCondition& condition, const StepMove& move, const LevelScene& before) {
+// Whether the condition can be true after the move; figures of the match are not computed for it. `before`: as the step
+// begins, by its `start`.
+bool canHold(const StepCondition& condition, const StepMove& start, const StepMove& move,
+             const LevelScene& before) {
   LevelScene after = played(before, move);
   switch (condition.when) {
     case StepEvent::movedEye:
@@ -66,7 +68,8 @@ bool canHold(const StepCondition& condition, const StepMove& move, const LevelSc
     case StepEvent::changedOriginal:
       return !move.shape.empty() || !(after.original.shape == before.original.shape);
     case StepEvent::changedMirror:
-      return move.mirrorKind == condition.what;
+      return !move.mirrorKind.empty() ? move.mirrorKind == condition.what
+                                      : shapeName(after.optic.shape()) == condition.what;
     case StepEvent::depthScaleChanged:
       return after.sculpture.depthScale != before.sculpture.depthScale;
     case StepEvent::toleranceOff:
@@ -76,9 +79,9 @@ bool canHold(const StepCondition& condition, const StepMove& move, const LevelSc
     case StepEvent::pickedPixel:
       return move.pixel.has_value();
     case StepEvent::pickedVertex:
-      return move.vertex.has_value();
+      return move.vertex || move.ends;
     case StepEvent::viewed:
-      return move.preview == condition.what;
+      return (move.preview.empty() ? start.preview : move.preview) == condition.what;
     case StepEvent::lookedThrough:
       return move.lookThrough;
     case StepEvent::rotatedView:
@@ -86,17 +89,34 @@ bool canHold(const StepCondition& condition, const StepMove& move, const LevelSc
     case StepEvent::morphed:
       return move.morph && *move.morph < 0.5;
     case StepEvent::raysOf:
-      return move.rays == condition.what;
+      return (move.rays.empty() ? start.rays : move.rays) == condition.what;
     case StepEvent::animatedRays:
       return move.animate;
     case StepEvent::wireframe:
-      return move.wireframe;
+      return move.wireframe || start.wireframe;
     case StepEvent::putRight:
       return !mistakeOf(after.sculpture.mistakes, condition.what);
     case StepEvent::undone:
       return move.undo;
     case StepEvent::exported:
       return false;
+    case StepEvent::eyeAbove:
+      return after.camera.eye.z > condition.value;
+    case StepEvent::eyeAway:
+      return glm::length(after.camera.eye - middleOf(after.optic.shape())) > condition.value;
+    case StepEvent::keptEye:
+      return after.camera.eye == before.camera.eye;
+    case StepEvent::depthScaleAbove:
+      return after.sculpture.depthScale > condition.value;
+    case StepEvent::depthScaleBelow:
+      return after.sculpture.depthScale < condition.value;
+    case StepEvent::pickedEnds:
+      return move.ends.has_value();
+    case StepEvent::wiped:
+      return move.wipe.has_value();
+    case StepEvent::frozen:
+      return move.freeze || start.freeze || before.sculpture.frozen;
+    case StepEvent::verticesBelow:
     case StepEvent::matchAbove:
     case StepEvent::matchBelow:
     case StepEvent::hiddenShareAbove:
@@ -106,18 +126,26 @@ bool canHold(const StepCondition& condition, const StepMove& move, const LevelSc
   return true;
 }
 
-void checkPlay(const LessonStep& step, const std::string& path, const LevelScene& before,
-               std::size_t vertices, LessonFaults& faults) {
-  const StepMove& move = *step.show.play;
-  if (move.vertex && static_cast<std::size_t>(*move.vertex) >= vertices) {
-    faults.add(path + "/vertex", fmt::format("one of the original's vertices, 0 to {}", vertices - 1));
-  }
-  const PixelGrid& grid = before.grid;
+// That what the move picks is there.
+void checkPicks(const StepMove& move, const std::string& path, const PixelGrid& grid, std::size_t vertices,
+                LessonFaults& faults) {
+  const auto checkVertex = [&](int vertex, const std::string& at) {
+    if (static_cast<std::size_t>(vertex) < vertices) return;
+    faults.add(path + at, fmt::format("one of the original's vertices, 0 to {}", vertices - 1));
+  };
+  if (move.vertex) checkVertex(*move.vertex, "/vertex");
+  for (std::size_t i = 0; move.ends && i < 2; ++i) checkVertex((*move.ends)[i], fmt::format("/ends/{}", i));
   if (move.pixel && ((*move.pixel)[0] >= grid.columns || (*move.pixel)[1] >= grid.rows)) {
     faults.add(path + "/pixel", fmt::format("a pixel of the grid of {} x {}", grid.columns, grid.rows));
   }
+}
+
+void checkPlay(const LessonStep& step, const std::string& path, const LevelScene& before,
+               std::size_t vertices, LessonFaults& faults) {
+  const StepMove& move = *step.show.play;
+  checkPicks(move, path, before.grid, vertices, faults);
   for (const StepCondition& condition : step.done) {
-    if (canHold(condition, move, before)) continue;
+    if (canHold(condition, step.start, move, before)) continue;
     const std::string event = stepEvents[static_cast<std::size_t>(condition.when)];
     const std::string what = condition.what.empty() ? "" : " \"" + condition.what + '"';
     faults.add(path, fmt::format("a move after which its step is done (\"{}\"{})", event, what));
@@ -129,16 +157,15 @@ void checkPlay(const LessonStep& step, const std::string& path, const LevelScene
 void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& remarks) {
   const std::vector<std::string>& controls = stepControls();
   LessonFaults faults(loaded.document, remarks);
-  LevelScene level = loaded.level;
   for (std::size_t i = 0; i < loaded.lesson.steps.size(); ++i) {
     const LessonStep& step = loaded.lesson.steps[i];
     const std::string path = fmt::format("/lesson/steps/{}/show", i), &widget = step.show.widget;
     if (!widget.empty() && std::find(controls.begin(), controls.end(), widget) == controls.end()) {
       faults.add(path + "/widget", "the English name of a control", didYouMean(widget, controls));
     }
-    if (!step.show.play) continue;
-    checkPlay(step, path + "/play", level, vertices, faults);
-    level = played(level, *step.show.play);
+    checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), loaded.level.grid, vertices, faults);
+    if (step.show.play)
+      checkPlay(step, path + "/play", played(loaded.level, step.start), vertices, faults);
   }
 }
 

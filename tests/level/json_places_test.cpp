@@ -7,6 +7,7 @@
 #include <string>
 
 #include "error_text.h"
+#include "level/json.h"
 
 namespace anamorph {
 namespace {

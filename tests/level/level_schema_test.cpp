@@ -111,7 +111,7 @@ TEST_F(LevelSchema, DoesNotHoldForBadFiles) {
       {"\"movedEye\"", "\"movedEye\", \"value\": 1"},
       {"\"movedEye\"", "\"viewed\", \"what\": \"cat\""},
       {"\"why\"", "\"whi\""},
-      {"\"id\": \"eye\", ", ""}};
+      {"\"id\": \"eye\",", ""}};
   const std::string base = readAll(fs::path(ANAMORPH_TEST_DATA) / "levels" / "every-field.json");
   std::vector<std::string> texts;
   for (const auto& [from, to] : changes) {
