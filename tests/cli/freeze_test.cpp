@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/program.h"
+#include "level/json.h"
 #include "level/level_json.h"
 #include "pipeline/evaluator.h"
 
@@ -39,8 +40,7 @@ TEST_F(FrozenFile, GivesTheSculptureAsItWas) {
   const Result frozen = run("deform " + file_ + " -o " + after);
   ASSERT_EQ(frozen.exitCode, 0) << frozen.err;
   EXPECT_EQ(readAll(before), readAll(after));
-  EXPECT_NE(frozen.err.find("warning: " + file_ +
-                            ": the sculpture is frozen as it was made for the eye at (0, -9.1, 9.6)"),
+  EXPECT_NE(frozen.err.find("warning: the sculpture is frozen as it was made for the eye at (0, -9.1, 9.6)"),
             std::string::npos)
       << frozen.err;
   ASSERT_EQ(run("export " + (folder_ / "before.json") + " -o " + (folder_ / "before.stl")).exitCode, 0);
@@ -59,7 +59,8 @@ TEST_F(FrozenFile, IsMatchedAndRenderedAsInTheWindow) {
   const JsonValue report = parseJson(match.out, "match");
   const auto figure = [&](const char* key) { return findMember(report, key)->number; };
   EXPECT_NEAR(figure("silhouetteIou"), window.match->report.silhouetteIou, 1e-12);
-  EXPECT_NEAR(figure("p99Px"), window.match->report.p99Px, 1e-12);
+  EXPECT_NEAR(figure("contourPx"), window.match->report.contourPx, 1e-12);
+  EXPECT_NEAR(figure("extraShare"), window.match->report.extraShare, 1e-12);
   EXPECT_LT(figure("silhouetteIou"), 0.9);
   for (const std::string view : {"reflection", "original", "difference"})
     EXPECT_EQ(run("render " + file_ + " --view " + view + " --size 32x32 -o " + (folder_ / "a.png")).exitCode,
