@@ -56,7 +56,7 @@ void restoreStart(Editor& editor) {
 bool isStartMissed(const LessonRun& run) {
   const StepMove& start = run.open().start;
   const Level& level = run.begin.level;
-  return !(areSwitchesSet(start, level) && isNear(level.camera.eye, start.eye) &&
+  return !(areSwitchesSet(start, level) && level.sculpture.frozen.has_value() == start.freeze && isNear(level.camera.eye, start.eye) &&
            isNear(level.original.placement.position, start.original) &&
            isNear(middleOf(level.optic.shape()), start.mirror) &&
            isNear(level.sculpture.depthScale, start.depthScale) &&
