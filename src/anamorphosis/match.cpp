@@ -90,7 +90,8 @@ class Matcher {
     const double error = seenAt ? glm::length(*seenAt - place) : worstError();
     result.errorPx = static_cast<float>(std::min(error, worstError()));
     const std::uint32_t shown = sample.reflected->sourceTriangle;
-    result.sameTriangle = touches(*sample.original, shown) || (seenAt && isSeenAt(*seenAt, shown));
+    result.sameTriangle =
+        touches(*sample.original, shown) || (seenAt && isSeenAt(*seenAt, sample.reflected->original));
     return result;
   }
 
@@ -100,12 +101,17 @@ class Matcher {
     return touch(input_.original->positions, triangles[a], triangles[b]);
   }
 
-  // Whether the eye sees this triangle of the original there, and not another one before it. How far that is from where
-  // the mirror shows it is the error's business: a fine mesh has many triangles within a tenth of a pixel.
-  bool isSeenAt(const Pixel& place, std::uint32_t triangle) const {
+  // Whether the eye sees this point of the original there, and nothing that is more than a pixel's width before it. How
+  // far that is from where the mirror shows it is the error's business: a fine mesh has many triangles within a tenth
+  // of a pixel, and a sheet has two sides in one place.
+  bool isSeenAt(const Pixel& place, const Point& point) const {
+    const Ray ray = projection_.rayThrough(place), beside = projection_.rayThrough(place + Pixel(1, 0));
     BvhHit first;
-    return input_.originalBvh->closestHit(projection_.rayThrough(place), first) &&
-           touches(first.triangle, triangle);
+    if (!input_.originalBvh->closestHit(ray, first)) return false;
+    const double distance = glm::length(point - projection_.eye());
+    const double width =
+        distance * glm::length(glm::normalize(beside.direction) - glm::normalize(ray.direction));
+    return glm::length(ray.at(first.t) - projection_.eye()) >= distance - width;
   }
 
   double worstError() const { return std::max(projection_.width(), projection_.height()); }

@@ -45,8 +45,8 @@ struct MatchReport {
   double silhouetteIou = 0;                 ///< pixels in both / in either; 0 when neither shows anything
   std::size_t comparedPixels = 0;           ///< where both show something; the correspondence is over these
   double meanPx = 0, p99Px = 0, maxPx = 0;  ///< correspondence error; 0 when nothing could be compared
-  /// Share of compared pixels that show a triangle of the original, or one beside it, that the eye does see, there or
-  /// where the error puts it: not one that another should hide.
+  /// Share of compared pixels that show the triangle of the original that is seen there, one beside it, or a point that
+  /// the eye does see where the error puts it: not one that something before it should hide.
   double triangleAgreement = 0;
   std::size_t originalPixels = 0;  ///< that the original covers
   double hiddenShare = 0;          ///< of the original's pixels

@@ -1,7 +1,5 @@
 #include "edit/model_turns.h"
 
-#include <array>
-#include <cmath>
 #include <numbers>
 
 #include <glm/matrix.hpp>
@@ -14,42 +12,43 @@ namespace {
 
 constexpr Selection original{Part::original, 0};
 
-// Half the height of a box that was turned about its middle.
-double halfHeightTurned(const Box& box, const glm::dmat3& turn) {
-  const Vector half = 0.5 * box.size();
-  return std::abs(turn[0].z) * half.x + std::abs(turn[1].z) * half.y + std::abs(turn[2].z) * half.z;
+// A level whose original was turned about the middle of its box, with its lowest point as high as it was.
+Level standingAsBefore(const Level& turnedLevel, const Mesh& placed, const glm::dmat3& turn) {
+  const Box box = boundingBox(placed.positions);
+  const auto turned = [&](const Point& p) { return box.centre() + turn * (p - box.centre()); };
+  const Box now = boundingBox(mapPoints(placed.positions, turned));
+  return moved(turnedLevel, original, {0, 0, box.min.z - now.min.z});
 }
 
-// A level whose original was turned about the middle of its box, with the lower side where it was.
-Level standingAsBefore(const Level& turnedLevel, const Box& box, const glm::dmat3& turn) {
-  return moved(turnedLevel, original, {0, 0, halfHeightTurned(box, turn) - 0.5 * box.size().z});
+glm::dmat3 scaling(const Vector& factors) {
+  return {{factors.x, 0, 0}, {0, factors.y, 0}, {0, 0, factors.z}};
 }
 
 }  // namespace
 
-Level turnedQuarter(const Level& level, int axis, const Box& box) {
-  if (box.empty()) return level;
-  const auto index = static_cast<std::size_t>(axis);
-  const Level turnedLevel =
-      rotated(level, original, box.centre(), sceneAxes.at(index), 0.5 * std::numbers::pi);
-  glm::dmat3 turn(0);  // but for signs, which a box does not feel
-  turn[axis][axis] = 1;
-  turn[(axis + 1) % 3][(axis + 2) % 3] = turn[(axis + 2) % 3][(axis + 1) % 3] = 1;
-  return standingAsBefore(turnedLevel, box, turn);
+Level turnedQuarter(const Level& level, int axis, const Mesh& placed) {
+  if (placed.positions.empty()) return level;
+  const Level turnedLevel = rotated(level, original, boundingBox(placed.positions).centre(),
+                                    sceneAxes.at(static_cast<std::size_t>(axis)), 0.5 * std::numbers::pi);
+  Vector degrees(0);
+  degrees[axis] = 90;
+  return standingAsBefore(turnedLevel, placed, rotationMatrix(degrees));
 }
 
-Level withModelUp(const Level& level, ModelUp up, const Box& box) {
+Level withModelUp(const Level& level, ModelUp up, const Mesh& placed) {
   Level result = level;
   auto* file = std::get_if<FileShape>(&result.original.shape);
-  if (!file || box.empty()) return result;
-  const glm::dmat3 turn = uprightRotation(up) * glm::transpose(uprightRotation(file->up));
+  if (!file || placed.positions.empty()) return result;
+  const Point centre = boundingBox(placed.positions).centre();
   Placement& placement = result.original.placement;
   const glm::dmat3 rotation = rotationMatrix(placement.rotationDegrees);
-  // The model's point in the middle of the box stays there; it may be far from the model's origin.
-  const Vector middle = glm::transpose(rotation) * (box.centre() - placement.position) / placement.scale;
-  placement.position = clampedPoint(box.centre() - rotation * (placement.scale * (turn * middle)));
+  const glm::dmat3 turn = rotation * scaling(placement.scale) * uprightRotation(up) *
+                          glm::transpose(uprightRotation(file->up)) * scaling(1.0 / placement.scale) *
+                          glm::transpose(rotation);
+  // The model's own origin, about which it is turned, may be far from it.
+  placement.position = clampedPoint(centre + turn * (placement.position - centre));
   file->up = up;
-  return standingAsBefore(result, box, rotation * turn * glm::transpose(rotation));
+  return standingAsBefore(result, placed, turn);
 }
 
 ModelUp nextModelUp(ModelUp up) {

@@ -102,19 +102,18 @@ bool placementRows(Placement& placement) {
 
 // For what lies on its back, or looks away.
 bool turnRows(const Editor& editor, Level& level) {
-  const Box box = originalBox(editor);
+  const auto placed = editor.updater.result().original.mesh;
   const Level before = level;
   const auto* file = std::get_if<FileShape>(&level.original.shape);
-  if (file &&
-      wideButton("Stand up",
-                 "Most models that were not made for printing have y up. Their y axis becomes the height "
-                 "here; again: -y, x and z.",
-                 !box.empty())) {
-    level = withModelUp(level, nextModelUp(file->up), box);
+  if (file && wideButton("Stand up",
+                         "Most models that were not made for printing have y up. Their y axis becomes the "
+                         "height here; again: -y, x and z.",
+                         placed != nullptr)) {
+    level = withModelUp(level, nextModelUp(file->up), *placed);
   }
   int axis = -1;
-  if (segmentedControl("turns", axis, {"Turn x 90°", "Turn y 90°", "Turn z 90°"}, 3))
-    level = turnedQuarter(level, axis, box);
+  if (segmentedControl("turns", axis, {"Turn x 90°", "Turn y 90°", "Turn z 90°"}, 3) && placed)
+    level = turnedQuarter(level, axis, *placed);
   return !(level == before);
 }
 

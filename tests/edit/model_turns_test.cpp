@@ -47,7 +47,7 @@ TEST_F(ModelTurns, AQuarterTurnStandsWhereItStood) {
   const std::array<Vector, 3> sizes{Vector(6, 1, 3), Vector(1, 3, 6), Vector(3, 6, 1)};
   for (int axis = 0; axis < 3; ++axis) {
     SCOPED_TRACE(axis);
-    const Box turned = boundingBox(placedMesh(turnedQuarter(level_, axis, box)).positions);
+    const Box turned = boundingBox(placedMesh(turnedQuarter(level_, axis, placedMesh(level_))).positions);
     EXPECT_LT(glm::length(turned.size() - sizes.at(static_cast<std::size_t>(axis))), 1e-9);
     EXPECT_NEAR(turned.min.z, box.min.z, 1e-9);
     EXPECT_NEAR(turned.centre().x, box.centre().x, 1e-9);
@@ -62,8 +62,7 @@ TEST_F(ModelTurns, FourQuarterTurnsAreNone) {
     Level level = makeRandomLevel(ShapeKind::plane, random);
     const Mesh before = placedMesh(level);
     const double size = boundingBox(before.positions).diagonal();
-    for (int i = 0; i < 4; ++i)
-      level = turnedQuarter(level, static_cast<int>(seed % 3), boundingBox(placedMesh(level).positions));
+    for (int i = 0; i < 4; ++i) level = turnedQuarter(level, static_cast<int>(seed % 3), placedMesh(level));
     const Mesh after = placedMesh(level);
     EXPECT_LT(farthest(before, after), 1e-6 * size);
   }
@@ -74,22 +73,21 @@ TEST_F(ModelTurns, StandingUpTurnsTheMeshAndGoesRoundInFour) {
   const Box box = boundingBox(lying.positions);
   Level level = level_;
   for (const Vector& size : {Vector(6, 1, 3), Vector(6, 1, 3), Vector(1, 3, 6), Vector(6, 3, 1)}) {
-    level = withModelUp(level, nextModelUp(std::get<FileShape>(level.original.shape).up),
-                        boundingBox(placedMesh(level).positions));
+    level = withModelUp(level, nextModelUp(std::get<FileShape>(level.original.shape).up), placedMesh(level));
     const Box now = boundingBox(placedMesh(level).positions);
     EXPECT_LT(glm::length(now.size() - size), 1e-9);
     EXPECT_NEAR(now.min.z, box.min.z, 1e-9) << "it stands where it stood";
     EXPECT_NEAR(now.centre().x, box.centre().x, 1e-9);
   }
   EXPECT_LT(farthest(placedMesh(level), lying), 1e-9);
-  EXPECT_EQ(withModelUp(Level{}, ModelUp::y, box), Level{}) << "built-in shapes stand";
+  EXPECT_EQ(withModelUp(Level{}, ModelUp::y, lying), Level{}) << "built-in shapes stand";
 }
 
 TEST_F(ModelTurns, StandingUpKeepsRotationScaleAndUnitizing) {
   level_.original.unitize = true;
   level_.original.placement = {{1, 2, 3}, {0, 0, 30}, Vector(2)};
   const Box box = boundingBox(placedMesh(level_).positions);
-  const Level up = withModelUp(level_, ModelUp::y, box);
+  const Level up = withModelUp(level_, ModelUp::y, placedMesh(level_));
   EXPECT_EQ(up.original.placement.rotationDegrees, level_.original.placement.rotationDegrees);
   EXPECT_EQ(up.original.placement.scale, level_.original.placement.scale);
   EXPECT_NEAR(boundingBox(placedMesh(up).positions).min.z, box.min.z, 1e-9);
