@@ -52,7 +52,8 @@ std::vector<ImWchar> rangesOf(const Letters& letters) {
 // Fonts with letters of other files in them.
 class FontMaker {
  public:
-  explicit FontMaker(const Letters& letters) : files_(findFontsFor(drawableOf(letters))) {
+  FontMaker(const Letters& letters, const std::optional<std::string>& regular)
+      : files_(findFontsFor(drawableOf(letters))), regular_(regular.value_or("")) {
     for (const FontFile& file : files_) ranges_.push_back(rangesOf(file.letters));
   }
 
@@ -68,13 +69,15 @@ class FontMaker {
     config.OversampleH = 1;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       config.FontNo = files_[i].index & 0xffff;  // above are the instances of a variable font
-      atlas.AddFontFromFileTTF(files_[i].path.c_str(), size, &config, ranges_[i].data());
+      const std::string& path = files_[i].path == regular_ ? *file : files_[i].path;  // bold among bold
+      atlas.AddFontFromFileTTF(path.c_str(), size, &config, ranges_[i].data());
     }
     return font;
   }
 
  private:
   std::vector<FontFile> files_;
+  std::string regular_;  // DejaVu Sans; empty: it is not there
   std::vector<std::vector<ImWchar>> ranges_;
 };
 
@@ -99,7 +102,7 @@ Fonts loadFonts(double pixels, bool huge, const Letters& letters) {
                                           bold = findFont("DejaVu Sans", true);
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  const FontMaker maker(letters);
+  const FontMaker maker(letters, regular);
   Fonts fonts;
   fonts.text = maker.add(regular, pixels);
   if (!regular) {

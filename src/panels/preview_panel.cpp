@@ -155,14 +155,15 @@ void sizeAndRender(Editor& editor, UiState& ui) {
   int chosen = static_cast<int>(std::find(std::begin(sizes), std::end(sizes), editor.preview.size) -
                                 std::begin(sizes));
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::SetNextItemWidth(0.36f * width);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetNextItemWidth(0.32f * width);
   if (ImGui::Combo("##size", &chosen, names, 6)) editor.preview.size = sizes[std::clamp(chosen, 0, 5)];
   tooltip("The longer side of these pictures.");
   ImGui::SameLine();
-  if (ImGui::Button(tr("Render image"))) perform(Action::renderImage, editor, ui);
+  if (fittedButton("Render image", 0.4f * width - gap)) perform(Action::renderImage, editor, ui);
   tooltip("A high-resolution picture, to zoom into and to save.");
   ImGui::SameLine();
-  if (ImGui::Button(tr(editor.preview.expanded ? "Smaller" : "Larger"), {-FLT_MIN, 0}))
+  if (fittedButton(editor.preview.expanded ? "Smaller" : "Larger", 0.28f * width - gap))
     editor.preview.expanded = !editor.preview.expanded;
 }
 

@@ -519,9 +519,9 @@ TEST_F(GizmoInTheView, TheHandleOfTheDepthScaleSitsOnTheRay) {
 TEST_F(GizmoInTheView, ASecondClickOnAVertexLetsItGo) {
   open("1-plane");
   frames(2);
-  const PreparedSculpture& sculpture = editor.updater.result().sculpture;
+  editor.display.sculpture = false;  // it may stand in front
   const ViewProjection view(editor.pose, editor.viewWidth, editor.viewHeight);
-  const Pixel at = *view.pixelOf(sculpture.prepared.box.centre());
+  const Pixel at = *view.pixelOf(originalBox(editor).centre());
   const float x = ui.layout.view.x + static_cast<float>(at.x),
               y = ui.layout.view.y + static_cast<float>(at.y);
   click(x, y);
@@ -529,7 +529,7 @@ TEST_F(GizmoInTheView, ASecondClickOnAVertexLetsItGo) {
   frames(30);  // no double click
   click(x, y);
   EXPECT_FALSE(editor.point);
-  EXPECT_EQ(editor.selection, (Selection{Part::sculpture}));
+  EXPECT_EQ(editor.selection, (Selection{Part::original}));
 }
 
 // With the ground shown a drag of the view ends at the floor, with it hidden it goes on.
