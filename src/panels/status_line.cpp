@@ -12,8 +12,11 @@ namespace anamorph {
 namespace {
 
 std::string stateText(const LevelResult& result) {
-  if (result.problem) return tr("no sculpture");
-  if (!result.sculpture.sculpture) return tr("loading");
+  const Sculpture* sculpture = result.sculpture.sculpture.get();
+  const bool isThere =
+      sculpture && !sculpture->mesh.triangles.empty();  // a frozen one is, whatever the problem
+  if (result.problem) return tr(isThere ? "nothing to compare" : "no sculpture");
+  if (!sculpture) return tr("loading");
   if (!result.refined) return tr("following, not refined");
   return tr(result.complete ? "refined and matched" : "refined, matching");
 }
