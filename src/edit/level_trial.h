@@ -42,7 +42,6 @@ class Trials {
   Trial at(const Level& level, std::shared_ptr<const Mesh> placed, int longerSide);
 
   bool cancelled() const { return progress_.cancelled(); }
-  int count() const { return count_; }
 
  private:
   int threads_;

@@ -158,8 +158,8 @@ inline Journey journeyOf(std::string_view text, const std::filesystem::path& fol
   journey.read = true;
   const Level level = madeSmall(afterItsLesson(*first));
   const auto shape = loadOriginal(level.original.shape, {}).mesh;
-  const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
-  checkFinite(original->positions);
+  const PlacedOriginal original = placeOriginal(*shape, level);
+  checkFinite(original.mesh->positions);
   const LevelResult finished = *finishLevel(level, original);
   checkFinite(finished.sculpture.sculpture->mesh.positions);
   const ImageRequest request = makeImageRequest(level, 16, 16, 1);

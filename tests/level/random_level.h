@@ -25,7 +25,8 @@ class RandomLevel {
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
     level.sculpture = {
         between(0.01, 100), coin() ? 0 : between(0.001, 1000), static_cast<std::size_t>(whole(1, 100000000)),
-        whole(16, 16384),   {coin(), coin(), coin()},          material()};
+        whole(16, 16384),   {coin(), coin(), coin()},          material(),
+        std::nullopt};
     if (coin()) {
       level.sculpture.frozen = {{OpticKind::mirror, mirror()}, camera(),           coin(),
                                 {point(), point(), lengths()}, between(0.01, 100), {coin(), coin(), coin()}};
