@@ -152,7 +152,7 @@ void printActions(const std::vector<ActionFrames>& actions) {
 }
 
 void bench(const BenchOptions& options, const CommonOptions& common) {
-  TemporaryFolder folder;
+  ScratchFolder folder;
   std::filesystem::path level = findLevel(options.level);
   if (options.triangles > 0) level = writeKnotLevel(level, options.triangles, folder.path());
   const HeadlessContext context;

@@ -70,7 +70,7 @@ void arrange(Editor& editor, UiState& ui, const ScreenshotOptions& options) {
                                                  {"mirror", Part::mirror},
                                                  {"sculpture", Part::sculpture}};
   advanceLesson(editor);
-  if (options.step > 0) openStep(editor, options.step - 1);
+  if (options.step) openStep(editor, *options.step - 1);
   if (!options.select.empty()) editor.selection = {parts.at(options.select), 0};
   const auto tab = std::find(previewTabs.begin(), previewTabs.end(), options.tab);
   if (tab != previewTabs.end()) editor.preview.tab = static_cast<PreviewTab>(tab - previewTabs.begin());
@@ -100,7 +100,7 @@ class Model {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::optional<TemporaryFolder> folder_;
+  std::optional<ScratchFolder> folder_;
   std::filesystem::path path_;
 };
 

@@ -113,20 +113,20 @@ bool TemporaryFile::moveTo(const fs::path& target) {
   return true;
 }
 
-TemporaryFolder::TemporaryFolder() {
+ScratchFolder::ScratchFolder() {
   std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
   if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
   path_ = name;
   slots_.push_back(takeSlot(name));
 }
 
-TemporaryFolder::~TemporaryFolder() {
+ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   for (const int slot : slots_) giveSlot(slot);
 }
 
-fs::path TemporaryFolder::file(const std::string& name) {
+fs::path ScratchFolder::file(const std::string& name) {
   const fs::path file = path_ / name;
   slots_.push_back(takeSlot(file.string()));
   return file;

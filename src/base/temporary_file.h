@@ -34,13 +34,13 @@ class TemporaryFile {
 };
 
 /// A folder among the system's temporary files; goes with this object and all that is in it, or by a signal.
-class TemporaryFolder {
+class ScratchFolder {
  public:
   /// A new one. Throws Error when none can be made.
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   /// The path of a file in it. Files that nobody has asked for in this way are no business of signals.

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/language.h"
 #include "base/system_call.h"
 #include "base/text.h"
 #include "cli/print.h"
@@ -74,7 +75,7 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
 }
 
 CLI::Validator numberIn(const Range& range) {
-  const std::string ends = fmt::format("{:.10g} to {:.10g}", range.min, range.max);
+  const std::string ends = shownNumber(range.min, ".10g") + " to " + shownNumber(range.max, ".10g");
   return CLI::Validator(
       [=](std::string& text) {
         double number = 0;

@@ -83,7 +83,7 @@ Output::Output(std::string name, const std::string& format)
   if (!stream) return;
   const std::string ending = format.empty() ? lowerEnding(name_) : "." + format;
   if (ending.empty()) throw UsageError(name_ + ": expected --format, which says what is to be written there");
-  folder_ = std::make_unique<TemporaryFolder>();
+  folder_ = std::make_unique<ScratchFolder>();
   path_ = folder_->file("output" + ending);
 }
 

@@ -42,7 +42,7 @@ class Output {
  private:
   std::string name_;
   std::filesystem::path target_, path_;
-  std::unique_ptr<TemporaryFolder> folder_;  // of path_, where that is temporary
+  std::unique_ptr<ScratchFolder> folder_;  // of path_, where that is temporary
 };
 
 /// The outputs of one command. Throws UsageError, also when `format` is given and no output needs it.

@@ -11,20 +11,22 @@ namespace {
 // see: tests/panels/step_controls_test.cpp compares.
 // clang-format off
 constexpr std::array controls{
-    "A mesh from a file...", "Add a light", "Again and again", "Ambient", "Animate", "Another mesh...",
+    "3D view", "A mesh from a file...", "Add a light", "Ambient", "Animate", "Another mesh...",
     "Camera, frustum and grid", "Canvas", "Colour", "Colour by status", "Columns", "Depth scale k",
-    "Description", "Difference", "Diffuse", "Direction", "Distance", "Exponent", "Eye",
-    "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "From the start", "Go on",
-    "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays", "Hide rays into the sky",
-    "How many", "In the colour they bring", "Inside the level", "Intensity", "Language", "Legend",
-    "Let it go", "Lift until nothing is hidden", "Lights", "Look through the RT camera", "Looks at", "Mesh",
-    "Mirror", "Morph", "Normal", "One after the other", "Original", "Parallel rays", "Pause", "Percent",
-    "Position", "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine", "Reflectance",
-    "Reflection", "Reflects", "Remove this light", "Reset the level", "Rotation", "Rows", "Samples",
-    "Scale", "Sculpture", "Seen in the mirror", "Segments", "Shadows", "Shape", "Share", "Shininess",
-    "Show rays", "Show the lights", "Sides", "Size", "Sky above", "Sky below", "Specular", "Speed",
-    "T R S to move, rotate, scale", "Theme", "Thicker if they matter more", "Thickness", "Tint", "Title",
-    "To the lights too", "Tolerance", "Triangle edges", "Tube radius", "Vertices", "View", "Which", "Wipe"};
+    "Description", "Difference", "Diffuse", "Direction is right", "Distance", "Distance is right", "Exponent", "Eye",
+    "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "Freeze the sculpture",
+    "From the start", "Go on", "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays",
+    "Hide rays into the sky", "Hide the mirror", "How many", "In the colour they bring", "Inside the level",
+    "Intensity", "Language", "Legend", "Let it follow again", "Let it go", "Lift until nothing is hidden",
+    "Lights", "Look through the RT camera", "Looks at", "Loop", "Mesh", "Mirror", "Morph", "Normal is right",
+    "One after the other", "Original", "Parallel projection", "Pause", "Position", "Preview",
+    "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine", "Reflectance", "Reflection",
+    "Reflects", "Remove this light", "Reset the level", "Rotation", "Rows", "Samples", "Scale", "Sculpture",
+    "Seen by the eye", "Seen in the mirror", "Segments", "Shadows", "Shape", "Share", "Shininess",
+    "Show only", "Show rays", "Show the lights", "Sides", "Size", "Sky above", "Sky below", "Specular",
+    "Speed", "Stand up", "T R S to move, rotate, scale", "Theme", "Thicker if they matter more", "Thickness",
+    "Tint", "Title", "To the lights too", "Tolerance", "Triangle edges", "Tube radius", "Turn x 90°",
+    "Turn y 90°", "Turn z 90°", "Vertices", "View", "Which", "Wipe"};
 // clang-format on
 
 // Adds the rows of a shape.

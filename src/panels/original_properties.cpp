@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <numeric>
 #include <string>
 
@@ -49,7 +50,8 @@ struct ShapeRows {
     return changed;
   }
   bool operator()(FileShape& file) const {
-    textRow(file.obj->empty() ? "File" : "Inside the level", file.path);
+    const std::string name = std::filesystem::path(file.path).filename().string();
+    textRow(file.obj->empty() ? "File" : "Inside the level", name, file.path.c_str());
     return false;
   }
 };

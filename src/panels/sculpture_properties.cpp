@@ -17,16 +17,15 @@ namespace anamorph {
 namespace {
 
 void frozenRows(Editor& editor, const UiState& ui) {
-  constexpr const char* freeze = "Freeze the sculpture";
   const auto frozen = frozenSentence(editor.session.level());
   if (frozen) quietText(ui, (capitalised(*frozen) + ".").c_str());
   const bool pressed =
-      wideButton(frozen ? "Let it follow again" : freeze,
+      wideButton(frozen ? "Let it follow again" : "Freeze the sculpture",
                  frozen ? "It is made for the eye as it is now."
                         : "It stays as it is. Move the eye, the original or the mirror then: the match tells "
                           "what it is still worth.",
                  canToggleFrozen(editor));
-  if (frozen) highlightItem(freeze);  // the same control, which "show me" has pressed at once
+  if (frozen) highlightItem("Freeze the sculpture");  // the same control, which "show me" has pressed at once
   if (pressed) toggleFrozen(editor);
 }
 

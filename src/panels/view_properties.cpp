@@ -9,6 +9,7 @@
 #include "edit/orbit.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
+#include "panels/wrapped_field.h"
 
 namespace anamorph {
 namespace {
@@ -53,8 +54,8 @@ void levelWords(Editor& editor) {
   bool changed = edit(
       text.title, [](std::string& title) { return textFieldRow("Title", title, limits::mostTitleBytes); });
   changed |= edit(text.description, [](std::string& description) {
-    return textFieldRow("Description", description, limits::mostTextBytes, 4,
-                        "Shown when the level has no lesson.");
+    return wrappedFieldRow("Description", description, limits::mostTextBytes, 4,
+                           "Shown when the level has no lesson.");
   });
   if (!changed) return;
   level.text = std::move(text);

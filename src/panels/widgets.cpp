@@ -13,7 +13,6 @@
 #include "panels/number_text.h"
 #include "panels/style.h"
 #include "panels/typing_limit.h"
-#include "panels/wrapped_field.h"
 
 namespace anamorph {
 namespace {
@@ -189,22 +188,12 @@ bool choiceRow(const char* name, int& value, const std::vector<const char*>& cho
   return changed;
 }
 
-bool textFieldRow(const char* name, std::string& value, std::size_t most, int lines, const char* help) {
+bool textFieldRow(const char* name, std::string& value, std::size_t most, const char* help) {
   TypingLimit limit(value, most);
-  if (lines <= 1) {
-    beginRow(name, help);
-    const bool changed = ImGui::InputText("##value", &value, ImGuiInputTextFlags_CallbackCharFilter,
-                                          TypingLimit::filter, &limit);
-    endRow(help);
-    return changed;
-  }
-  ImGui::PushID(name);
-  ImGui::TextUnformatted(tr(name));
-  const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
-  const bool changed = wrappedField(value, height, limit);
-  highlightItem(name);
-  tooltip(help);
-  ImGui::PopID();
+  beginRow(name, help);
+  const bool changed = ImGui::InputText("##value", &value, ImGuiInputTextFlags_CallbackCharFilter,
+                                        TypingLimit::filter, &limit);
+  endRow(help);
   return changed;
 }
 

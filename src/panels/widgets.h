@@ -47,10 +47,8 @@ bool checkRow(const char* name, bool& value, const char* help = "");
 /// Linear light in, linear light out; shown and picked as displays show it.
 bool colorRow(const char* name, Color& value, const char* help = "");
 bool choiceRow(const char* name, int& value, const std::vector<const char*>& choices, const char* help = "");
-/// A line of text that can be typed, up to so many bytes (what does not go in is not taken); `lines` > 1: a field of so
-/// many lines below the name.
-bool textFieldRow(const char* name, std::string& value, std::size_t most, int lines = 1,
-                  const char* help = "");
+/// A line of text that can be typed, up to so many bytes (what does not go in is not taken).
+bool textFieldRow(const char* name, std::string& value, std::size_t most, const char* help = "");
 void textRow(const char* name, const std::string& value, const char* help = "");
 
 /// A five-pointed star, for badges.

@@ -6,6 +6,9 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "base/language.h"
+#include "panels/highlight.h"
+#include "panels/typing_limit.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
@@ -30,8 +33,6 @@ bool drawWrapped(const std::string& text, float leastHeight) {
   return pressed;
 }
 
-}  // namespace
-
 bool wrappedField(std::string& value, float height, TypingLimit& limit) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID id = ImGui::GetID("##typing");
@@ -45,6 +46,20 @@ bool wrappedField(std::string& value, float height, TypingLimit& limit) {
       ImGui::InputTextMultiline("##value", &value, {-FLT_MIN, height}, ImGuiInputTextFlags_CallbackCharFilter,
                                 TypingLimit::filter, &limit);
   if (ImGui::IsItemActive() != (state == typed)) storage.SetInt(id, state == begins ? typed : shown);
+  return changed;
+}
+
+}  // namespace
+
+bool wrappedFieldRow(const char* name, std::string& value, std::size_t most, int lines, const char* help) {
+  TypingLimit limit(value, most);
+  ImGui::PushID(name);
+  ImGui::TextUnformatted(tr(name));
+  const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + ImGui::GetFrameHeight();
+  const bool changed = wrappedField(value, height, limit);
+  highlightItem(name);
+  tooltip(help);
+  ImGui::PopID();
   return changed;
 }
 

@@ -1,14 +1,13 @@
-// A field of several lines of text. Dear ImGui's own does not wrap: so what is not being typed is shown wrapped, and a
+// A row with a field of several lines of text. Dear ImGui's own does not wrap: so what is not being typed is shown wrapped, and a
 // click, or Enter, begins typing.
 #pragma once
 
+#include <cstddef>
 #include <string>
-
-#include "panels/typing_limit.h"
 
 namespace anamorph {
 
-/// As wide as the column and at least so high, under the identity "##value". Returns whether the text was changed.
-bool wrappedField(std::string& value, float height, TypingLimit& limit);
+/// As wide as the column, at least so many lines high; takes at most `most` bytes. Returns whether the text was changed.
+bool wrappedFieldRow(const char* name, std::string& value, std::size_t most, int lines, const char* help);
 
 }  // namespace anamorph

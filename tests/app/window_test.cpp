@@ -104,6 +104,8 @@ class RealWindow : public WindowTest {
     ASSERT_TRUE(place) << "the original is not to be seen";
     window->click(place->x, place->y);
     ASSERT_TRUE(window->waitFor([](const State& s) { return s.text("selection") == "original"; }));
+    window->key("w");  // the arrows in the place of the construction
+    ASSERT_TRUE(window->waitFor([](const State& s) { return !s.is("pointPicked"); }));
     const auto grip = twin->gripOf({Part::original}, GizmoHandle::x);
     ASSERT_TRUE(grip);
     window->dragTo(grip->x, grip->y, grip->x + 30, grip->y);

@@ -54,10 +54,10 @@ TEST(TemporaryFiles, AreMoreThanThereArePlacesForTheirNames) {
   fs::remove_all(folder);
 }
 
-TEST(TemporaryFolders, GoWithTheirFile) {
+TEST(ScratchFolders, GoWithTheirFile) {
   fs::path file;
   {
-    TemporaryFolder folder;
+    ScratchFolder folder;
     file = folder.file("output.obj");
     EXPECT_EQ(file.filename(), "output.obj");
     writeFile(file, "v 0 0 0");
@@ -66,13 +66,13 @@ TEST(TemporaryFolders, GoWithTheirFile) {
 }
 
 // A command whose output goes to standard output, stopped by Ctrl+C.
-TEST(TemporaryFolders, GoWithASignal) {
+TEST(ScratchFolders, GoWithASignal) {
   const fs::path place = fs::path(testing::TempDir()) / ("interrupted" + std::to_string(getpid()));
   fs::create_directory(place);
   const auto stopWithin = [&] {
     ::setenv("TMPDIR", place.c_str(), 1);
     removeTemporariesOnSignals();
-    TemporaryFolder folder;
+    ScratchFolder folder;
     const fs::path file = folder.file("output.obj");
     std::ofstream(file) << "v 0 0 0";
     const TemporaryFile half(file.parent_path(), 0600);

@@ -167,7 +167,7 @@ TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
   const Result result = run("deform " + data + "/scenes/thesis-flat.json " + (folder / "wedge.obj") +
                             " --tolerance off --json -o " + (folder / "s.obj"));
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 inFrontOfMirror)"));
+  EXPECT_THAT(result.err, HasSubstr("3 of 4 vertices mapped (1 are in front of the mirror)"));
   const std::string written = readAll(folder / "s.obj");
   EXPECT_THAT(written, HasSubstr("\nv 2 -1 1\n")) << "the original's place";
   std::size_t vertices = 0;

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_files.h"
+#include "level/level_json.h"
 #include "program.h"
 
 namespace anamorph {
@@ -37,11 +38,11 @@ void PrintTo(const Case& each, std::ostream* out) {
 class InputsAndOutputs : public ::testing::TestWithParam<Case> {
  protected:
   InputsAndOutputs() {
-    std::string level = readAll(std::string(ANAMORPH_LEVELS) + "/1-plane.json");
-    const std::string shape = "{\"type\": \"box\", \"size\": [6, 2, 2], \"segments\": 32}";
-    level.replace(level.find(shape), shape.size(), "{\"type\": \"file\", \"path\": \"b.obj\"}");
-    writeText(at("my.json"), level);
-    writeText(at("level"), level);
+    Level level = loadLevel(fs::path(ANAMORPH_LEVELS) / "1-plane.json").level;
+    level.original.shape = FileShape{"b.obj"};
+    level.text.edit([](LevelText& text) { text.lesson.clear(); });  // it picks vertices that the mesh has not
+    saveLevel(at("my.json"), level);
+    saveLevel(at("level"), level);
     fs::copy_file(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", at("b.obj"));
     fs::copy_file(at("b.obj"), at("model.obj"));
     saveMesh(at("model.stl"), loadMesh(at("b.obj")).mesh);
@@ -57,9 +58,8 @@ class InputsAndOutputs : public ::testing::TestWithParam<Case> {
     for (const char* name : {"zero", "zero.json", "zero.obj"}) fs::create_symlink("/dev/zero", at(name));
     for (const char* name : {"pipe", "pipe.json", "pipe.obj"}) ::mkfifo(at(name).c_str(), 0600);
     for (const char* name : {"empty.json", "empty.obj"}) writeText(at(name), "");
-    std::string broken = level;
-    broken.replace(broken.find("\"b.obj\""), 7, "\"pipe.obj\"");
-    writeText(at("pipe-mesh.json"), broken);
+    level.original.shape = FileShape{"pipe.obj"};
+    saveLevel(at("pipe-mesh.json"), level);
   }
   std::string at(const std::string& name) const { return folder_ / name; }
 

@@ -159,6 +159,7 @@ TEST(FrozenStep, IsDoneWhenItWasFrozenTheEyeMovedAndTheMatchFell) {
   openLevel(editor, file.path());
   evaluate(editor);
   EXPECT_FALSE(editor.lesson.done);
+  level = editor.session.level();  // with the lesson's words as they were read
   level.camera.eye.x += 4;
   editor.session.edit(level);
   evaluate(editor);

@@ -454,7 +454,8 @@ TEST_F(FileFlow, AMeshThatLiesIsStoodUpAndUndoingLaysItDown) {
   waitForJob();
   const auto up = [&] { return std::get<FileShape>(editor.session.level().original.shape).up; };
   EXPECT_EQ(up(), ModelUp::y);
-  EXPECT_NE(editor.status.text().find("Its y axis is taken to point up"), std::string::npos) << editor.status.text();
+  EXPECT_NE(editor.status.text().find("Its y axis is taken to point up"), std::string::npos)
+      << editor.status.text();
   editor.session.undo();
   EXPECT_EQ(up(), ModelUp::z);
   editor.session.undo();

@@ -109,7 +109,8 @@ TEST_F(LevelSharing, ATextThatIsNoLevelIsTold) {
   const Level before = editor.session.level();
   paste("{\"format\": \"anamorph-level\", \"version\": 1, \"camera\": 3}");
   ASSERT_TRUE(ui.notice);
-  EXPECT_EQ(ui.notice->text.find("the text on the clipboard: expected the key"), 0u) << ui.notice->text;
+  EXPECT_EQ(ui.notice->text.find("the text on the clipboard: line 1, column 1: expected the key"), 0u)
+      << ui.notice->text;
   EXPECT_EQ(editor.session.level(), before);
   EXPECT_FALSE(editor.session.canUndo());
 }

@@ -26,13 +26,16 @@ void addNames(std::set<std::string>& names, const std::string& text, const char*
 }
 
 TEST(StepControls, AreThoseThatThePanelsDraw) {
-  std::set<std::string> drawn{"Mirror", "Canvas"};  // the tab has either
+  std::set<std::string> drawn{"Mirror", "Canvas", "Reflection", "Seen by the eye"};  // a tab has either
   for (const char* file :
        {"eye_properties", "original_properties", "mirror_properties", "sculpture_properties",
         "light_properties", "ray_properties", "view_properties", "material_rows", "help_buttons",
-        "preview_panel", "properties_panel", "lesson_panel", "view_windows"}) {
+        "preview_panel", "properties_panel", "lesson_panel", "view_windows", "view_overlay"}) {
     const std::string text = textOf(sourceFolder / "src" / "panels" / (std::string(file) + ".cpp"));
-    addNames(drawn, text, "\\b(?:[a-zA-Z]+Row|row|wideButton|highlightItem)\\(((?:\"[^\"]*\"|[^\",;{])*)");
+    addNames(drawn, text,
+             "\\b(?:[a-zA-Z]+Row|row|wideButton|highlightItem|highlightArea)\\(((?:\"[^\"]*\"|[^"
+             "\",;{])*)");
+    addNames(drawn, text, "\\bsearchButton\\(editor, (\"[^\"]*\")");
     addNames(drawn, text, "segmentedControl\\([^{;]*\\{([^}]*)\\}");
   }
   ASSERT_GT(drawn.size(), 50u);

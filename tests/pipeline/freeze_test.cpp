@@ -138,7 +138,7 @@ TEST(FrozenSculpture, IsComparedWithTheOriginalWhereThatIsNow) {
   const MatchReport report = evaluated(level).match->report;
   EXPECT_GT(report.silhouetteIou, 0.99);
   EXPECT_GT(report.p99Px, 50) << "every point is at the other end";
-  EXPECT_LT(report.triangleAgreement, 0.1);
+  EXPECT_LT(report.triangleAgreement, 0.5);
 }
 
 // An eye in the mirror's way is no reason for the sculpture to vanish.

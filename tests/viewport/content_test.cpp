@@ -191,7 +191,7 @@ TEST_F(Content, GhostAndSculptureDoNotMix) {
         mixed += !(now.r > now.b + 60);
       }
     }
-    EXPECT_GT(orange, 1000);
+    EXPECT_GT(orange, 400);
     EXPECT_LT(mixed, 0.02 * orange) << "borders only";
   }
 }
