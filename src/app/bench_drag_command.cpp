@@ -92,6 +92,7 @@ Pixel gripOf(Gui& gui) {
 
 Recording drag(HeadlessGui& headless, FrameRecorder& recorder, Part part, int frames) {
   Gui& gui = headless.gui();
+  pickPoint(gui.editor(), {});  // the construction of a point hides the handles
   gui.editor().selection = {part, 0};
   recorder.begin(part == Part::eye ? "drag eye" : "drag original");
   recorder.rest();

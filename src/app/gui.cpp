@@ -170,7 +170,9 @@ void Gui::refreshStyle() {
   const Preferences& p = ui_.preferences;
   const double wanted = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const double scale = fittingScale(wanted, display.x / shotFactor_, display.y / shotFactor_) * shotFactor_;
+  const double fitting =
+      ui_.panelsHidden ? wanted : fittingScale(wanted, display.x / shotFactor_, display.y / shotFactor_);
+  const double scale = fitting * shotFactor_;
   const bool asBefore =
       ui_.scale == scale && ui_.theme == p.theme && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
