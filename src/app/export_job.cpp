@@ -32,13 +32,21 @@ void ExportJob::update(Editor& editor, UiState& ui) {
   if (waiting_ && result.problem) {
     waiting_.reset();
     giveUpQuitting(ui, *result.problem);
-    dialog.say(tr("There is no sculpture to export."), {*result.problem});
+    const Sculpture* sculpture = result.sculpture.sculpture.get();
+    const bool isThere = sculpture && !sculpture->mesh.triangles.empty();  // a frozen one
+    dialog.say(tr(isThere ? "Without a way from the eye to the sculpture nothing is exported."
+                          : "There is no sculpture to export."),
+               {*result.problem});
   }
   if (waiting_ && !result.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled
   if (waiting_ && result.complete) start(*std::exchange(waiting_, std::nullopt), result, dialog);
   const bool busy = worker_.busy();  // before its outcome is looked for: that comes first
   if (auto outcome = outcomes_->take()) {
-    dialog.say(std::move(outcome->message), std::move(outcome->lines), std::move(outcome->rows));
+    if (outcome->written || level_ == startedWith_) {
+      dialog.say(std::move(outcome->message), std::move(outcome->lines), std::move(outcome->rows));
+    } else {
+      dialog.say(tr("The level has been changed meanwhile: that was said of an earlier one."));
+    }
     if (outcome->written) ++editor.exported;
     cancelled_ = false;
   }
@@ -67,6 +75,7 @@ std::optional<std::filesystem::path> ExportJob::unwritten(double seconds) {
 }
 
 void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& dialog) {
+  startedWith_ = level_;
   worker_.request(
       [task, finished = result, request = dialog.request, outcomes = outcomes_](const Progress& progress) {
         const int threads = hardwareThreads();

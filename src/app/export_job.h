@@ -39,6 +39,7 @@ class ExportJob {
 
   std::optional<Task> waiting_;
   std::optional<std::filesystem::path> writing_;  // from the wish to its outcome, or until it is cancelled
+  Level startedWith_;                             // the last task
   Level level_;                                   // that was there in the last frame
   bool cancelled_ = false;                        // and what became of it is not known yet
   std::shared_ptr<Mailbox<Outcome>> outcomes_ = std::make_shared<Mailbox<Outcome>>();

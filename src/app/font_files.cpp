@@ -1,6 +1,10 @@
 #include "app/font_files.h"
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include <fontconfig/fontconfig.h>
@@ -35,11 +39,21 @@ bool isSet(const FcPattern* font, const char* property) {
   return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value;
 }
 
+// As the first bytes of the file say, which is not there any more perhaps, or is packed (WOFF): fontconfig calls that
+// TrueType, too.
+bool beginsAsFont(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(4, 0);
+  file.read(begin.data(), 4);
+  constexpr std::string_view known[] = {{"\0\1\0\0", 4}, "true", "OTTO", "ttcf"};
+  return file && std::find(std::begin(known), std::end(known), begin) != std::end(known);
+}
+
 // Dear ImGui reads outlines of TrueType and PostScript; it would end the program at others.
 bool isReadable(const FcPattern* font) {
   const std::string format = textOf(font, FC_FONTFORMAT);
   return (format == "TrueType" || format == "CFF") && isSet(font, FC_SCALABLE) && !isSet(font, FC_COLOR) &&
-         !isSet(font, FC_VARIABLE);
+         !isSet(font, FC_VARIABLE) && beginsAsFont(textOf(font, FC_FILE));
 }
 
 // Those of the letters that the font has leave `left`.

@@ -69,7 +69,8 @@ class FontMaker {
     config.OversampleH = 1;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       config.FontNo = files_[i].index & 0xffff;  // above are the instances of a variable font
-      const std::string& path = files_[i].path == regular_ ? *file : files_[i].path;  // bold among bold
+      const std::string& path =
+          file && files_[i].path == regular_ ? *file : files_[i].path;  // bold among bold
       atlas.AddFontFromFileTTF(path.c_str(), size, &config, ranges_[i].data());
     }
     return font;

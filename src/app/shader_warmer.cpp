@@ -1,9 +1,7 @@
 #include "app/shader_warmer.h"
 
-#include <new>
-#include <utility>
+#include <exception>
 
-#include "base/error.h"
 #include "geometry/shapes.h"
 #include "gl/offscreen_context.h"
 #include "viewport/viewport.h"
@@ -47,9 +45,8 @@ bool ShaderWarmer::ready(const ViewportInput& input) {
   worker_.request([input, kinds, done = done_](const Progress&) {
     try {
       drawTiny(input);
-    } catch (const Error&) {
-      // No second context here: then the view compiles them itself.
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
+      // No second context here, or no memory: then the view compiles them itself.
     }
     done->put(kinds);
   });

@@ -114,7 +114,10 @@ bool TemporaryFile::moveTo(const fs::path& target) {
 }
 
 ScratchFolder::ScratchFolder() {
-  std::string name = (fs::temp_directory_path() / "anamorph-XXXXXX").string();
+  std::error_code problem;
+  const fs::path place = fs::temp_directory_path(problem);
+  if (problem) throw Error("no place for temporary files: " + problem.message());
+  std::string name = (place / "anamorph-XXXXXX").string();
   if (!::mkdtemp(name.data())) throw Error("cannot make a folder: " + systemReason(), name);
   path_ = name;
   slots_.push_back(takeSlot(name));

@@ -46,9 +46,12 @@ std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const C
 
 // Of what a frozen sculpture is made from nothing is changed.
 void checkFrozen(const InputOptions& options, const std::string& path) {
-  if (!options.depthScale && !options.unitize) return;
+  const bool turns = !options.modelUp.empty() && options.model.empty();
+  if (!options.depthScale && !options.unitize && !turns) return;
   throw UsageError(fmt::format("{}: its sculpture is frozen, and {} would change it", path,
-                               options.depthScale ? "--depth-scale" : "--unitize"));
+                               options.depthScale ? "--depth-scale"
+                               : options.unitize  ? "--unitize"
+                                                  : "--model-up"));
 }
 
 void applyOptions(const InputOptions& options, Level& level) {

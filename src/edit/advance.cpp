@@ -20,6 +20,7 @@ void dropStaleSelection(Editor& editor) {
   for (auto* point : {&editor.point, &editor.earlierPoint}) {
     if (*point && original && !isOn(*original, **point)) point->reset();
   }
+  if (!editor.point) editor.earlierPoint.reset();
 }
 
 bool advanceView(Editor& editor, double seconds) {

@@ -52,8 +52,7 @@ void openLevel(Editor& editor, LevelFile file) {
   editor.session.open(std::move(file));
   lookAfresh(editor);
   editor.status.clear();
-  if (!editor.session.warnings().empty())
-    editor.status.sayOf(editor.session.level(), editor.session.warnings().front());
+  if (!editor.session.warnings().empty()) editor.status.say(editor.session.warnings().front());
   leaving.keep(editor, opened);
   const auto left = editor.leftLevels.extract(opened);
   if (left.empty()) return;
@@ -93,6 +92,7 @@ void restRays(Editor& editor) {
 
 void pickPoint(Editor& editor, const std::optional<PickedPoint>& point) {
   editor.cell.reset();
+  if (!point) editor.earlierPoint.reset();
   if (point == editor.point) return;
   editor.earlierPoint = point ? editor.point : std::nullopt;
   editor.point = point;

@@ -75,7 +75,7 @@ void beginStep(Editor& editor, Arrival arrival) {
   run.answer.reset();
   run.doneNow = run.done = false;
   if (run.empty()) return;
-  const bool brought = arrival == Arrival::onward && !isStartMissed(run);
+  const bool brought = arrival == Arrival::onward && !isStartMissed(run, run.begin.level);
   for (const StepCondition& condition : run.open().done) {
     run.wasFalse.push_back(condition.when == StepEvent::keptEye || (brought && isState(condition.when)));
   }
@@ -103,7 +103,7 @@ void takeUpLesson(Editor& editor) {
   run.step = whereToGoOn(run.lesson, editor.progress);
   // Not into what was left changed, rescued or pasted; and a level that was just opened is looked at afresh already.
   if (opened && !session.modified() && !run.empty() && !(run.open().start == StepMove{}))
-    restoreStart(editor);
+    beginAtStart(editor);
   beginStep(editor, Arrival::afresh);
 }
 
@@ -219,7 +219,8 @@ void openStep(Editor& editor, std::size_t step) {
   run.step = std::min(step, run.lesson.steps.size() - 1);
   const Level before = editor.session.level();
   restoreStart(editor);
-  if (!(editor.session.level() == before)) editor.status.sayOf(editor.session.level(), tr("As this step begins. Ctrl+Z: as it was."));
+  if (!(editor.session.level() == before))
+    editor.status.sayOf(editor.session.level(), tr("As this step begins. Ctrl+Z: as it was."));
   beginStep(editor, Arrival::afresh);
 }
 

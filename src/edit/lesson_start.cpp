@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "edit/lesson_move.h"
 
@@ -43,8 +42,9 @@ Level startOf(const Editor& editor, std::size_t step) {
   return level;
 }
 
-void restoreStart(Editor& editor) {
-  editor.session.edit(startOf(editor, editor.lesson.step));
+namespace {
+
+void lookAsAtStart(Editor& editor) {
   lookAfresh(editor);
   editor.preview.wipe = 0.5;
   editor.rays.show = true;
@@ -53,11 +53,22 @@ void restoreStart(Editor& editor) {
   moveView(editor, editor.lesson.open().start);
 }
 
-bool isStartMissed(const LessonRun& run) {
+}  // namespace
+
+void restoreStart(Editor& editor) {
+  editor.session.edit(startOf(editor, editor.lesson.step));
+  lookAsAtStart(editor);
+}
+
+void beginAtStart(Editor& editor) {
+  editor.session.beginWith(startOf(editor, editor.lesson.step));
+  lookAsAtStart(editor);
+}
+
+bool isStartMissed(const LessonRun& run, const Level& level) {
   const StepMove& start = run.open().start;
-  const Level& level = run.begin.level;
-  return !(areSwitchesSet(start, level) && level.sculpture.frozen.has_value() == start.freeze && isNear(level.camera.eye, start.eye) &&
-           isNear(level.original.placement.position, start.original) &&
+  return !(areSwitchesSet(start, level) && level.sculpture.frozen.has_value() == start.freeze &&
+           isNear(level.camera.eye, start.eye) && isNear(level.original.placement.position, start.original) &&
            isNear(middleOf(level.optic.shape()), start.mirror) &&
            isNear(level.sculpture.depthScale, start.depthScale) &&
            isNear(level.camera.fovDegrees, start.fovDegrees) &&

@@ -18,9 +18,11 @@ Level startOf(const Editor& editor, std::size_t step);
 
 /// The level and the view become what the open step begins with; the level's part is one step of the history.
 void restoreStart(Editor& editor);
+/// The same for a level that has just been opened: it begins so, and nobody has changed it.
+void beginAtStart(Editor& editor);
 
-/// Whether the level was far from what the open step's start asks for when it was opened: a switch is another one, or a
-/// number is more than a fifth off.
-bool isStartMissed(const LessonRun& run);
+/// Whether a level is far from what the open step's start asks for: a switch is another one, or a number is more than a
+/// fifth off.
+bool isStartMissed(const LessonRun& run, const Level& level);
 
 }  // namespace anamorph

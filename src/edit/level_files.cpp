@@ -104,7 +104,8 @@ SentLevel levelFromText(const std::string& text, const Level& open, const fs::pa
     const auto* known = std::get_if<FileShape>(&open.original.shape);
     if (known && fs::path(known->path).filename() == missing->filename()) {
       auto& file = std::get<FileShape>(sent.level.original.shape);
-      file = {known->path, known->obj, file.up};
+      // A mesh that is inside a level stands already.
+      file = {known->path, known->obj, known->obj->empty() ? file.up : known->up};
     }
   }
   return sent;

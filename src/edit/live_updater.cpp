@@ -227,7 +227,9 @@ void LiveUpdater::followSource(const SculptureInputs& before) {
 void LiveUpdater::followSculpture() {
   const Level& level = result_.level;
   result_.warnings.clear();
-  result_.problem = findSculptureProblem(level, boundingBox(result_.source->positions));
+  result_.problem = findSculptureProblem(level, result_.source == result_.original.mesh
+                                                    ? result_.original.box
+                                                    : boundingBox(result_.source->positions));
   if (result_.problem) {
     of_.sculpture.reset();
     result_.sculpture = emptySculpture({});

@@ -80,7 +80,7 @@ Level withOriginal(const Level& level, OriginalShape shape, const Mesh& mesh, co
 }
 
 Level withAnotherMesh(const Level& level, FileShape file, const Mesh& mesh, const Box& box) {
-  Level result = level;
+  Level result = following(level);  // what is frozen was the old one's
   result.original.shape = std::move(file);
   Placement& placement = result.original.placement;
   Placement unmoved = placement;

@@ -42,13 +42,17 @@ std::optional<SaveOutcome> SaveJob::take(Session& session, double patienceSecond
     outcome->path = saved.path;
     outcome->failure = worker_.takeFailure().value_or("it was not written");
   }
+  outcome->isOfAnEarlierLevel = saved.generation != session.generation();
   if (outcome->failure.empty() && !outcome->changedElsewhere) session.finishSave(saved, outcome->time);
   return outcome;
 }
 
 std::optional<std::filesystem::path> SaveJob::unwritten(double seconds) {
-  if (!saving_ || worker_.waitForEnd(seconds)) return std::nullopt;
-  return saving_->path;
+  if (!saving_) return std::nullopt;
+  const bool ended = worker_.waitForEnd(seconds);
+  const auto outcome = outcomes_->take();
+  const bool written = ended && outcome && outcome->failure.empty() && !outcome->changedElsewhere;
+  return written ? std::nullopt : std::optional(saving_->path);
 }
 
 }  // namespace anamorph

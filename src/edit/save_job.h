@@ -19,10 +19,11 @@ namespace anamorph {
 /// What came of a level that was to be saved.
 struct SaveOutcome {
   std::filesystem::path path;
-  std::string failure;             ///< why it is not written; empty: it is
-  bool changedElsewhere = false;   ///< not written, for another program has written the file meanwhile
-  std::vector<std::string> lost;   ///< of the file that was replaced, what could not be kept
-  std::optional<FileTime> time{};  ///< when it was written
+  std::string failure;              ///< why it is not written; empty: it is
+  bool isOfAnEarlierLevel = false;  ///< another one has been opened since
+  bool changedElsewhere = false;    ///< not written, for another program has written the file meanwhile
+  std::vector<std::string> lost;    ///< of the file that was replaced, what could not be kept
+  std::optional<FileTime> time{};   ///< when it was written
 };
 
 class SaveJob {

@@ -69,6 +69,13 @@ void Session::setPath(std::filesystem::path path) {
   isThesisScene_ = false;
 }
 
+void Session::beginWith(Level level) {
+  before_.reset();
+  undo_.clear();
+  redo_.clear();
+  level_ = saved_ = std::move(level);
+}
+
 void Session::startNew(Level level) {
   begin({}, std::move(level));
 }

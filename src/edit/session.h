@@ -56,6 +56,9 @@ class Session {
   /// Reads it first. Throws Error and leaves everything as it was.
   void open(const std::filesystem::path& path) { open(readLevelFile(path)); }
 
+  /// What was opened begins as `level` instead, which nobody has made: no step of the history, nothing to save.
+  void beginWith(Level level);
+
   /// A level that has no file yet, with a history of its own.
   void startNew(Level level);
   /// What was rescued of an earlier session: the file `path` as it is on disk (a new level where there is none, or it

@@ -36,7 +36,7 @@ std::string placeOf(const Point& p) {
 }
 
 std::string thicknessOf(const ThinPlace& place) {
-  return place.thickness < 0.01 ? "< 0.01" : shownFormat("{:.2f}", place.thickness);
+  return place.thickness < 0.01 ? shownFormat("< {:g}", 0.01) : shownFormat("{:.2f}", place.thickness);
 }
 
 bool areWallsThin(const PrintCheck& check) {

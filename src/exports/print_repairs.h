@@ -15,8 +15,6 @@ struct PrintRepairs {
       doubled;  ///< triangles that are there already, with the same corners in the same order
   std::vector<std::uint32_t> turned;  ///< triangles of the parts that are inside out
   std::size_t turnedParts = 0;
-
-  bool empty() const { return doubled.empty() && turned.empty(); }
 };
 
 /// The triangles that an earlier one equals, in their order. Corners are the same when their indices are: weld first.

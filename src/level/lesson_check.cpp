@@ -129,6 +129,7 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
 // That what the move picks is there.
 void checkPicks(const StepMove& move, const std::string& path, const PixelGrid& grid, std::size_t vertices,
                 LessonFaults& faults) {
+  if (vertices == 0) return;  // that is said already
   const auto checkVertex = [&](int vertex, const std::string& at) {
     if (static_cast<std::size_t>(vertex) < vertices) return;
     faults.add(path + at, fmt::format("one of the original's vertices, 0 to {}", vertices - 1));
@@ -164,8 +165,7 @@ void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& r
       faults.add(path + "/widget", "the English name of a control", didYouMean(widget, controls));
     }
     checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), loaded.level.grid, vertices, faults);
-    if (step.show.play)
-      checkPlay(step, path + "/play", played(loaded.level, step.start), vertices, faults);
+    if (step.show.play) checkPlay(step, path + "/play", played(loaded.level, step.start), vertices, faults);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace anamorph {
 
 /// Faults of a level's lesson: a control that the window has not got, a vertex that the original (of so many) or a pixel
-/// that the grid has not got, and a move of "show me" after which its step cannot be done.
+/// that the grid has not got, and a move of "Do it" after which its step cannot be done.
 void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& remarks);
 
 }  // namespace anamorph

@@ -44,7 +44,7 @@ void openNeighbour(Editor& editor, UiState& ui) {
 template <GizmoMode mode>
 void setMode(Editor& editor, UiState&) {
   editor.gizmoMode = mode;
-  if (editor.selection.part == Part::original) editor.point.reset();
+  if (editor.selection.part == Part::original) pickPoint(editor, {});
 }
 
 template <GizmoMode mode>

@@ -56,7 +56,13 @@ fs::path proposedFile(const Editor& editor, const UiState& ui) {
 void settleSave(Editor& editor, UiState& ui, double patienceSeconds) {
   const std::optional<SaveOutcome> outcome = editor.saving.take(editor.session, patienceSeconds);
   if (!outcome) return;
-  if (outcome->changedElsewhere) {
+  editor.status.clear();  // that it is being written
+  if (outcome->changedElsewhere && outcome->isOfAnEarlierLevel) {
+    ui.unsaved.reset();
+    ui.notice = Notice{"The level could not be saved",
+                       trFormat("{} has been changed by another program meanwhile, and was left as it is.",
+                                outcome->path.string())};
+  } else if (outcome->changedElsewhere) {
     browseFiles(ui.browser, FilePurpose::saveLevel, outcome->path);
     ui.browser.problem = trFormat(
         "{} has been changed by another program since it was opened or saved here. Replace it, or "
@@ -73,15 +79,23 @@ void settleSave(Editor& editor, UiState& ui, double patienceSeconds) {
   }
 }
 
-// `known`: SaveJob::start().
-void saveTo(const fs::path& path, std::optional<FileTime> known, Editor& editor, UiState& ui) {
+// `mayReplace`: also what another program wrote there.
+void saveTo(const fs::path& path, bool mayReplace, Editor& editor, UiState& ui) {
   constexpr double patience = 0.05;  // seconds; most files are written in less, and then nothing flickers
   if (editor.saving.busy()) {
+    ui.saveNext = SaveWish{path, mayReplace, editor.session.generation()};
     editor.status.say(trFormat("{} is still being written.", editor.saving.path().string()));
     return;
   }
-  editor.saving.start(editor.session, path, known);
+  editor.saving.start(editor.session, path, mayReplace ? std::nullopt : editor.session.fileTime());
   settleSave(editor, ui, patience);
+}
+
+// Of another level it is not wanted any more.
+void saveWhatWaits(Editor& editor, UiState& ui) {
+  if (!ui.saveNext || editor.saving.busy()) return;
+  const SaveWish wish = *std::exchange(ui.saveNext, std::nullopt);
+  if (wish.generation == editor.session.generation()) saveTo(wish.path, wish.mayReplace, editor, ui);
 }
 
 // A level is saved over its own file, but never over its mesh.
@@ -98,8 +112,7 @@ void serveBrowser(Editor& editor, UiState& ui) {
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::findMesh)) giveMesh(*path, editor, ui);
-  if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel))
-    saveTo(*path, std::nullopt, editor, ui);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, true, editor, ui);
 }
 
 std::optional<UnsavedQuestion> takeWish(UiRequests& requests) {
@@ -146,7 +159,7 @@ void saveCurrent(Editor& editor, UiState& ui) {
   if (path.empty() || editor.session.isThesisScene() || editor.session.isInstalled())
     return saveCurrentAs(editor, ui);
   finishEdits(editor, ui);
-  saveTo(path, editor.session.fileTime(), editor, ui);
+  saveTo(path, false, editor, ui);
 }
 
 void saveCurrentAs(Editor& editor, UiState& ui) {
@@ -223,6 +236,7 @@ void giveUpQuitting(UiState& ui, const std::string& problem) {
 void settleRequests(Editor& editor, UiState& ui) {
   serveBrowser(editor, ui);
   settleSave(editor, ui, 0);
+  saveWhatWaits(editor, ui);
   if (auto wish = takeWish(ui.requests)) {
     endViewDrag(editor, ui.mouse, false);  // it would go on in the next level
     editor.session.cancelChange();

@@ -31,7 +31,8 @@ void barred(const std::string& text, const ImVec4& color, LongTexts& texts, cons
 
 // The level is not what the step needs, because another one was left out or done otherwise.
 void offerStart(Editor& editor, UiState& ui) {
-  if (editor.lesson.done || !isStartMissed(editor.lesson)) return;
+  const LessonRun& run = editor.lesson;
+  if (run.done || !isStartMissed(run, run.begin.level) || !isStartMissed(run, editor.session.level())) return;
   quietText(ui, "This step is meant to begin with another level than you have now.");
   if (ImGui::Button(tr("Set it up"))) openStep(editor, editor.lesson.step);
   tooltip("With the level that it is meant to begin with; can be undone");

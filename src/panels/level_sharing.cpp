@@ -11,6 +11,7 @@
 #include "base/language.h"
 #include "edit/level_files.h"
 #include "edit/replacements.h"
+#include "level/freeze.h"
 #include "level/level_json.h"
 #include "panels/file_browser.h"
 #include "panels/let_go.h"
@@ -107,7 +108,7 @@ void askForMesh(const Editor& editor, UiState& ui) {
 
 void giveMesh(const fs::path& mesh, Editor& editor, UiState& ui) {
   if (!ui.meshQuestion) return;
-  Level level = std::move(ui.meshQuestion->level);
+  Level level = following(ui.meshQuestion->level);  // what is frozen was the missing one's
   ui.meshQuestion.reset();
   auto& file = std::get<FileShape>(level.original.shape);
   file = {.path = meshNameFor(mesh, editor.session.path()), .up = file.up};

@@ -11,6 +11,7 @@
 #include "base/language.h"
 #include "edit/model_turns.h"
 #include "edit/replacements.h"
+#include "level/freeze.h"
 #include "panels/file_flow.h"
 #include "panels/help_buttons.h"
 #include "panels/material_rows.h"
@@ -110,7 +111,7 @@ bool turnRows(const Editor& editor, Level& level) {
   if (file && wideButton("Stand up",
                          "Most models that were not made for printing have y up. Their y axis becomes the "
                          "height here; again: -y, x and z.",
-                         placed != nullptr)) {
+                         placed && !level.sculpture.frozen)) {
     level = withModelUp(level, nextModelUp(file->up), *placed);
   }
   int axis = -1;
@@ -124,7 +125,10 @@ bool turnRows(const Editor& editor, Level& level) {
 void drawOriginalProperties(Editor& editor, UiState& ui) {
   Level level = editor.session.level();
   bool changed = false;
-  if (section(ui, "Original")) changed |= shapeRows(editor, ui, level);
+  if (section(ui, "Original") && shapeRows(editor, ui, level)) {
+    level = following(level);  // what is frozen was made from the shape as it was
+    changed = true;
+  }
   if (section(ui, "Placement")) {
     changed |= placementRows(level.original.placement);
     changed |= turnRows(editor, level);

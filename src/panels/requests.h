@@ -17,6 +17,13 @@ struct ShotRequest {
 };
 
 /// Taken and cleared by the GUI or the window after every frame.
+/// A level that is to be saved as soon as the one that is being written is.
+struct SaveWish {
+  std::filesystem::path path;
+  bool mayReplace = false;  ///< also what another program wrote there
+  int generation = 0;       ///< of the session that it is of
+};
+
 struct UiRequests {
   bool quit = false;
   bool toggleFullscreen = false;

@@ -25,7 +25,7 @@ void frozenRows(Editor& editor, const UiState& ui) {
                         : "It stays as it is. Move the eye, the original or the mirror then: the match tells "
                           "what it is still worth.",
                  canToggleFrozen(editor));
-  if (frozen) highlightItem("Freeze the sculpture");  // the same control, which "show me" has pressed at once
+  if (frozen) highlightItem("Freeze the sculpture");  // the same control, which "Do it" has pressed at once
   if (pressed) toggleFrozen(editor);
 }
 

@@ -17,6 +17,12 @@ void visitLevel(const Editor& editor, const Visit& visit) {
   for (const std::string* text : {&lesson.badge.title, &lesson.badge.text}) visit(*text);
   for (const LessonStep& step : lesson.steps) {
     for (const std::string* text : {&step.title, &step.why, &step.task, &step.notice}) visit(*text);
+    if (!step.question) continue;
+    visit(step.question->text);
+    for (const StepAnswer& answer : step.question->answers) {
+      visit(answer.text);
+      visit(answer.reply);
+    }
   }
 }
 
@@ -59,6 +65,9 @@ void forEachShownText(const Editor& editor, const UiState& ui, const Visit& visi
   visitResult(editor.updater.result(), visit);
   visit(editor.status.text());
   if (editor.opening.busy()) visit(editor.opening.path().native());
+  if (editor.saving.busy()) visit(editor.saving.path().native());
+  if (editor.job.busy()) visit(editor.job.name());
+  for (const auto& [path, left] : editor.leftLevels) visit(left.text->title);
   for (const LevelEntry& entry : ui.levels) {
     visit(entry.title);
     visit(entry.lesson.badge.title);

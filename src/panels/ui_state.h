@@ -52,6 +52,7 @@ struct UiState : Look {
   bool headless = false;         ///< a screenshot: nothing that differs from run to run is shown
 
   UiRequests requests;
+  std::optional<SaveWish> saveNext;
   struct ShotProgress {
     bool running = false;  ///< until it is written
     bool drawing = false;

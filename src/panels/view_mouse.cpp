@@ -10,7 +10,6 @@ void endViewDrag(Editor& editor, ViewMouse& mouse, bool keep) {
       editor.session.finishChange();
     } else {
       editor.session.cancelChange();
-      editor.status.clear();
     }
     mouse.gizmoDrag.reset();
     mouse.axisLock = -1;

@@ -93,10 +93,10 @@ TEST_F(LessonRunTest, AStateThatTheStepsOwnStartWouldHaveTakenBackIsNoneOfTheStu
   nextStep(editor);  // with refinement on, as the level is
   evaluate(editor);
   EXPECT_FALSE(editor.lesson.done);
-  EXPECT_TRUE(isStartMissed(editor.lesson));
+  EXPECT_TRUE(isStartMissed(editor.lesson, editor.session.level()));
   openStep(editor, 1);
   evaluate(editor);
-  EXPECT_FALSE(isStartMissed(editor.lesson));
+  EXPECT_FALSE(isStartMissed(editor.lesson, editor.session.level()));
   change([](Level& level) { level.sculpture.tolerancePixels = 1; });
   EXPECT_TRUE(editor.lesson.done);
 }
@@ -138,13 +138,13 @@ TEST_F(LessonRunTest, BackAndAJumpRestoreWhatAStepBeginsWithAndNextDoesNot) {
   const Level own = editor.session.level();
   nextStep(editor);
   EXPECT_EQ(editor.session.level(), own);
-  EXPECT_TRUE(isStartMissed(editor.lesson));
+  EXPECT_TRUE(isStartMissed(editor.lesson, editor.session.level()));
   nextStep(editor);
   previousStep(editor);
   Level wanted = file;
   wanted.sculpture.depthScale = 0.5;
   EXPECT_EQ(editor.session.level(), wanted);
-  EXPECT_FALSE(isStartMissed(editor.lesson));
+  EXPECT_FALSE(isStartMissed(editor.lesson, editor.session.level()));
   EXPECT_FALSE(editor.status.text().empty()) << "it is said";
   openStep(editor, 0);
   EXPECT_EQ(editor.session.level(), file);
@@ -184,7 +184,7 @@ TEST_F(LessonRunTest, NumbersThatAreNearEnoughAreNotOffered) {
       level.sculpture.tolerancePixels = given.tolerance;
     });
     nextStep(editor);
-    EXPECT_EQ(isStartMissed(editor.lesson), given.missed)
+    EXPECT_EQ(isStartMissed(editor.lesson, editor.session.level()), given.missed)
         << given.depthScale << " " << given.eye.z << " " << given.tolerance;
   }
 }
