@@ -76,10 +76,10 @@ bool jobProgress(Editor& editor) {
 }
 
 // Its sculpture would not follow, so moving the eye or the original could only spoil what it shows.
-bool searchButton(const Editor& editor, const char* name, const char* help) {
+bool searchButton(const Editor& editor, const char* name, const char* help, bool usable = true) {
   const bool frozen = editor.session.level().sculpture.frozen.has_value();
   return wideButton(name, frozen ? "The sculpture is frozen: let it follow again first." : help,
-                    !frozen && editor.updater.result().original.mesh != nullptr);
+                    usable && !frozen && editor.updater.result().original.mesh != nullptr);
 }
 
 }  // namespace
@@ -97,7 +97,10 @@ void startLift(Editor& editor) {
 }
 
 void originalButtons(Editor& editor) {
-  if (jobProgress(editor)) return;
+  if (jobProgress(editor)) {
+    ImGui::Dummy({0, ImGui::GetFrameHeight()});  // of the second button: nothing moves under the mouse
+    return;
+  }
   if (searchButton(editor, "Fit to the mirror",
                    "As large as it can be about its middle while all of it is seen in the mirror and nothing "
                    "is hidden, less 2 %.")) {
@@ -114,7 +117,8 @@ void liftButton(Editor& editor) {
   if (jobProgress(editor)) return;
   if (searchButton(editor, "Lift until nothing is hidden",
                    "The sculpture may stand in its own way. The eye goes up around the original, at the same "
-                   "distance, as little as is needed.")) {
+                   "distance, as little as is needed.",
+                   !editor.updater.result().problem)) {  // whose reason is another one than height
     startLift(editor);
   }
 }
