@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/mesh_files.h"
 
 namespace anamorph {
 
@@ -16,6 +17,9 @@ void OpenJob::start(std::filesystem::path path) {
       outcome.file = readLevelFile(path, &progress.token);
     } catch (const Error&) {
       outcome.failure = std::current_exception();
+      // What it is says more than where it stops being JSON.
+      if (const std::string other = foreignFormatOf(path); !other.empty())
+        outcome.failure = std::make_exception_ptr(Error("expected a level; " + other, path.string()));
     }
     outcomes->put(std::move(outcome));
   });

@@ -50,6 +50,15 @@ TEST_F(OpenJobs, SayWhatIsWrongOnce) {
   EXPECT_FALSE(job.take());
 }
 
+TEST_F(OpenJobs, AnotherFormatIsNamedWithTheWayOut) {
+  const std::string step = std::string(ANAMORPH_TEST_DATA) + "/field/formats/m.step";
+  job.start(step);
+  const std::string message = errorOf([&] { job.take(patience); });
+  EXPECT_EQ(message.find(step + ": expected a level; "), 0u) << message;
+  EXPECT_NE(message.find("STEP"), std::string::npos) << message;
+  EXPECT_EQ(message.find("syntax error"), std::string::npos) << message;
+}
+
 TEST_F(OpenJobs, TheLatestWins) {
   job.start(folder / "none.json");
   job.start(folder / "1.json");
