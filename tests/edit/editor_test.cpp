@@ -403,7 +403,8 @@ TEST(Editor, MorphFollowsADrag) {
   editor.display.morph = 0.7;  // at 0.5 all is in the mirror's plane
   for (int i = 0; i < 6; ++i) {
     Level level = editor.session.level();
-    level.original.placement.position.x += 0.61;  // until a part is not mapped; no side is ever in a plane with the eye
+    level.original.placement.position.x +=
+        0.61;  // until a part is not mapped; no side is ever in a plane with the eye
     editor.session.change(level);
     advance(editor, 0.016);
     const Sculpture& whole = *editor.updater.result().sculpture.sculpture;

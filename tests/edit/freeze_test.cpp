@@ -145,6 +145,15 @@ TEST(FrozenEdits, TheVertexRayIsTheOneThatTheVertexWasMadeBy) {
   EXPECT_EQ(after->distances.back().at, before->distances.back().at);
 }
 
+TEST(FrozenEdits, AnotherMeshInAMeshFilesPlaceLetsItFollow) {
+  Level level = quickLevels()[0];
+  level.original.shape = FileShape{"a.obj"};
+  level = frozen(level);
+  const Mesh mesh = makeBox(Vector(1), 1);
+  EXPECT_FALSE(
+      withAnotherMesh(level, FileShape{"b.obj"}, mesh, boundingBox(mesh.positions)).sculpture.frozen);
+}
+
 TEST(FrozenStep, IsDoneWhenItWasFrozenTheEyeMovedAndTheMatchFell) {
   LessonFile file;
   Level level = quickLevels()[1];

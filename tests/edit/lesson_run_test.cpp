@@ -161,6 +161,7 @@ TEST_F(LessonRunTest, ALevelIsReopenedWithWhatTheStepBeginsWith) {
   EXPECT_EQ(editor.lesson.step, 1u);
   EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   EXPECT_EQ(editor.preview.tab, PreviewTab::wipe);
+  EXPECT_FALSE(editor.session.modified() || editor.session.canUndo()) << "nobody has changed it";
   evaluate(editor);
   EXPECT_FALSE(editor.lesson.done);
 }
