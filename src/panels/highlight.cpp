@@ -17,7 +17,7 @@ void outline(Highlight& highlight, const ImVec2& low, const ImVec2& high) {
   if (!highlight.scrolled) ImGui::SetScrollHereY(0.3f);
   highlight.scrolled = true;
   ++highlight.outlined;
-  const float pulse = 0.5f + 0.5f * std::sin(6 * static_cast<float>(ImGui::GetTime()));
+  const float pulse = 0.5f + 0.5f * static_cast<float>(std::sin(6 * (highlightSeconds - highlight.seconds)));
   const float grow = ImGui::GetFontSize() * (0.15f + 0.12f * pulse);
   const ImRect& room = ImGui::GetCurrentWindow()->ClipRect;
   if (!room.Overlaps({low, high})) return;

@@ -96,7 +96,9 @@ void handleInput(Editor& editor, UiState& ui) {
                           ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size()),
                           !editor.lesson.empty(), ui.levelsOpen});
   updateKeyFocus(ui.keyFocus, reachableWindows(ui), isDialogOpen(ui));
-  advanceHighlight(ui.highlight, editor.lesson, static_cast<double>(ImGui::GetIO().DeltaTime));
+  // How many frames a picture of the window takes differs from run to run: there it stands still.
+  const double seconds = ui.headless ? 0 : static_cast<double>(ImGui::GetIO().DeltaTime);
+  advanceHighlight(ui.highlight, editor.lesson, seconds);
   handleView(editor, ui);
 }
 
