@@ -156,7 +156,12 @@ void Gui::refreshLanguage() {
 
 // The fonts are loaded anew when a text needs a letter that they were not loaded with.
 void Gui::refreshLetters() {
-  Letters needed = languageLetters_;
+  Letters needed = textLetters_.get(editor_->session.level().text, [](const Shared<LevelText>& level) {
+    Letters letters;
+    forEachTextOf(*level, [&](std::string_view text) { addLetters(text, letters); });
+    return letters;
+  });
+  needed.insert(languageLetters_.begin(), languageLetters_.end());
   forEachShownText(*editor_, ui_, [&](std::string_view text) { addLetters(text, needed); });
   if (std::includes(letters_.begin(), letters_.end(), needed.begin(), needed.end())) return;
   letters_ = std::move(needed);

@@ -22,6 +22,7 @@
 #include "edit/editor.h"
 #include "gl/timer.h"
 #include "panels/ui_state.h"
+#include "pipeline/memo.h"
 #include "viewport/viewport.h"
 
 struct ImGuiContext;
@@ -74,8 +75,6 @@ class Gui {
   const FrameTimes& times() const { return times_; }
   /// In a window: the view waits for its shaders instead of holding up a frame for them. Elsewhere nobody minds.
   void keepShadersWarm(std::function<void()> wake);
-  /// Whether the view waits for its shaders.
-  bool preparesView() const { return ui_.preparingView; }
   /// Whether the 3D view is as fine as it gets.
   bool viewComplete() const { return fine_ && viewport_->complete(); }
   /// At the end: waits so long for each file that is being written; those that are not written then.
@@ -113,11 +112,12 @@ class Gui {
   std::map<std::string, ImageTexture> thumbnails_;
 
   double screenScale_ = 1, shotFactor_ = 1;
-  std::optional<std::string> language_;  // that is in force
-  Letters languageLetters_;              // of its texts
-  Letters letters_;                      // that the fonts were loaded with, as far as they have them
-  std::set<std::string> explained_;      // what was said of letters that cannot be drawn
-  Level openingFrom_;                    // the level that was there when another was asked for
+  std::optional<std::string> language_;           // that is in force
+  Letters languageLetters_;                       // of its texts
+  Memo<Shared<LevelText>, Letters> textLetters_;  // of the level's, which may be long
+  Letters letters_;                               // that the fonts were loaded with, as far as they have them
+  std::set<std::string> explained_;               // what was said of letters that cannot be drawn
+  Level openingFrom_;                             // the level that was there when another was asked for
   bool transparent_ = false;
   bool software_;
   bool owesFrame_ = false;  // the panels may have changed something

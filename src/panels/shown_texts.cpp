@@ -8,22 +8,9 @@ namespace {
 using Visit = std::function<void(std::string_view)>;
 
 void visitLevel(const Editor& editor, const Visit& visit) {
-  const Level& level = editor.session.level();
-  visit(level.text->title);
-  visit(level.text->description);
   visit(editor.session.path().native());
-  if (const auto* mesh = std::get_if<FileShape>(&level.original.shape)) visit(mesh->path);
-  const Lesson& lesson = editor.lesson.lesson;
-  for (const std::string* text : {&lesson.badge.title, &lesson.badge.text}) visit(*text);
-  for (const LessonStep& step : lesson.steps) {
-    for (const std::string* text : {&step.title, &step.why, &step.task, &step.notice}) visit(*text);
-    if (!step.question) continue;
-    visit(step.question->text);
-    for (const StepAnswer& answer : step.question->answers) {
-      visit(answer.text);
-      visit(answer.reply);
-    }
-  }
+  const OriginalShape& shape = editor.session.level().original.shape;
+  if (const auto* mesh = std::get_if<FileShape>(&shape)) visit(mesh->path);
 }
 
 void visitResult(const LevelResult& result, const Visit& visit) {
@@ -38,7 +25,9 @@ void visitFiles(const UiState& ui, const Visit& visit) {
   visit(browser.folder.native());
   visit(browser.text);
   visit(browser.problem);
-  for (const FolderEntry& entry : browser.listing.entries) visit(entry.name);
+  if (browser.open) {
+    for (const FolderEntry& entry : browser.listing.entries) visit(entry.name);
+  }
   for (const auto* paths : {&browser.recentFolders, &ui.recentLevels}) {
     for (const std::filesystem::path& path : *paths) visit(path.native());
   }
@@ -59,6 +48,10 @@ void visitDialogs(const UiState& ui, const Visit& visit) {
 }
 
 }  // namespace
+
+void forEachTextOf(const LevelText& level, const Visit& visit) {
+  for (const std::string* text : {&level.title, &level.description, &level.lesson}) visit(*text);
+}
 
 void forEachShownText(const Editor& editor, const UiState& ui, const Visit& visit) {
   visitLevel(editor, visit);

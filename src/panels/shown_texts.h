@@ -10,7 +10,10 @@
 
 namespace anamorph {
 
-/// Each of them once or more often, in UTF-8 as far as whoever wrote it kept to that.
+/// Those of a level: long ones, so only when they have changed. Of the lesson the JSON text, which has them all in it.
+void forEachTextOf(const LevelText& level, const std::function<void(std::string_view text)>& visit);
+
+/// All others, each once or more often, in UTF-8 as far as whoever wrote it kept to that.
 void forEachShownText(const Editor& editor, const UiState& ui,
                       const std::function<void(std::string_view text)>& visit);
 
