@@ -32,10 +32,8 @@ void ExportJob::update(Editor& editor, UiState& ui) {
   if (waiting_ && result.problem) {
     waiting_.reset();
     giveUpQuitting(ui, *result.problem);
-    const Sculpture* sculpture = result.sculpture.sculpture.get();
-    const bool isThere = sculpture && !sculpture->mesh.triangles.empty();  // a frozen one
-    dialog.say(tr(isThere ? "Without a way from the eye to the sculpture nothing is exported."
-                          : "There is no sculpture to export."),
+    dialog.say(tr(hasSculpture(result) ? "Without a way from the eye to the sculpture nothing is exported."
+                                       : "There is no sculpture to export."),
                {*result.problem});
   }
   if (waiting_ && !result.complete && !editor.updater.busy()) editor.updater.restart();  // it was cancelled

@@ -15,7 +15,7 @@ namespace anamorph {
 namespace {
 
 JsonValue listOf(std::initializer_list<double> numbers) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   for (const double number : numbers) {
     list.items.push_back(JsonObject().add("", number).value().items.front());
   }

@@ -180,8 +180,9 @@ class MainWindow {
   void waitForWork() {
     const double now = glfwGetTime();
     if (gui_->unfinished()) {
-      const bool onlyWorker = (gui_->viewComplete() || gui_->preparesView()) && !gui_->ui().shot.drawing &&
-                              !isMoving(gui_->editor()) && now - lastEvent_ > livelySeconds;
+      const bool onlyWorker = (gui_->viewComplete() || gui_->ui().preparingView) &&
+                              !gui_->ui().shot.drawing && !isMoving(gui_->editor()) &&
+                              now - lastEvent_ > livelySeconds;
       if (!onlyWorker) return glfwPollEvents();
       return glfwWaitEventsTimeout(gui_->editor().updater.secondsUntilDue().value_or(0.1) + 0.01);
     }

@@ -115,7 +115,7 @@ void checkFile(const std::string& file, const CommonOptions& common, Finding& fi
 }
 
 JsonValue faultsJson(const Error& error) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   const auto add = [&](const Error& fault) {
     list.items.push_back(JsonObject().add("where", fault.where).add("message", fault.message).value());
   };
@@ -148,7 +148,7 @@ bool checkOne(const std::string& file, const CommonOptions& common, JsonValue& j
 }
 
 void check(const std::vector<std::string>& files, const CommonOptions& common) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   std::size_t bad = 0;
   for (const std::string& file : files) bad += !checkOne(file, common, list);
   if (common.json) {

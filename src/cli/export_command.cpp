@@ -201,7 +201,7 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   const bool piped = takesStandardOutput(outputs);
   if (piped && common.json) throw UsageError(jsonInTheWay);
   const LevelResult finished = finishInput(loadInput(options.input, common, outputs), common);
-  JsonValue files{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue files = emptyList();
   const std::size_t failed = writeFiles(finished, requests, outputs, common, files);
   JsonObject json;
   json.add("files", std::move(files));

@@ -80,7 +80,7 @@ JsonValue showLevel(const LevelEntry& entry, const LevelsOptions& options, const
 }
 
 void listAll(const std::vector<LevelEntry>& entries, const CommonOptions& common) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   for (const LevelEntry& entry : entries) {
     const std::string& text = entry.problem.empty() ? entry.title : entry.problem;
     list.items.push_back(entryJson(entry).value());
@@ -98,7 +98,7 @@ void levels(const LevelsOptions& options, const CommonOptions& common) {
     printLine(stdout, fmt::format("{:<14} {:>9} {:>9} {:>9} {:>9} {:>7} {:>7}  {}", "level", "triangles",
                                   "IoU", "p99 px", "agreement", "hidden", "missed", "match"));
   }
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   std::size_t bad = 0;
   for (const LevelEntry& entry : entries) {
     try {

@@ -18,12 +18,6 @@ std::size_t numberOf(const Names& names, const std::string& name) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void putRight(Mistakes& mistakes, const std::string& which) {
-  if (which == "direction") mistakes.direction = false;
-  if (which == "distance") mistakes.distance = false;
-  if (which == "normal") mistakes.normal = false;
-}
-
 void pickVertex(Editor& editor, int vertex) {
   const auto& mesh = editor.updater.result().original.mesh;
   if (mesh) pickPoint(editor, pickedVertex(*mesh, static_cast<std::uint32_t>(vertex)));
@@ -72,7 +66,7 @@ Level begun(const StepMove& move, Level level, const Box& box) {
   if (auto* made = std::get_if<BoxShape>(&level.original.shape); made && move.segments) {
     made->segments = *move.segments;
   }
-  for (const std::string& mistake : move.putRight) putRight(level.sculpture.mistakes, mistake);
+  for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
   if (!move.freeze) return level;
   level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
   return frozen(std::move(level));

@@ -49,9 +49,8 @@ bool hasFewerVertices(const Editor& editor, double count) {
   return mesh && static_cast<double>(mesh->positions.size()) < count;
 }
 
-bool isRight(const Mistakes& mistakes, const std::string& which) {
-  if (which == "direction") return !mistakes.direction;
-  return which == "distance" ? !mistakes.distance : !mistakes.normal;
+bool isRight(Mistakes mistakes, const std::string& which) {
+  return !mistakeOf(mistakes, which);
 }
 
 // A figure of the settled match against a limit; nothing while it is not known.

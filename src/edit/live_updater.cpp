@@ -227,9 +227,7 @@ void LiveUpdater::followSource(const SculptureInputs& before) {
 void LiveUpdater::followSculpture() {
   const Level& level = result_.level;
   result_.warnings.clear();
-  result_.problem = findSculptureProblem(level, result_.source == result_.original.mesh
-                                                    ? result_.original.box
-                                                    : boundingBox(result_.source->positions));
+  result_.problem = findSculptureProblem(level, sourceBox(result_));
   if (result_.problem) {
     of_.sculpture.reset();
     result_.sculpture = emptySculpture({});

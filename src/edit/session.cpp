@@ -92,13 +92,6 @@ void Session::recover(const std::filesystem::path& path, std::optional<LevelFile
   edit(std::move(level));
 }
 
-std::vector<std::string> Session::saveTo(const std::filesystem::path& path) {
-  const SavedLevel saved = prepareSave(path);
-  std::vector<std::string> lost = saveLevel(path, saved.level);
-  finishSave(saved, timeOf(path));
-  return lost;
-}
-
 SavedLevel Session::prepareSave(const std::filesystem::path& path) {
   finishChange();
   return {path, withMeshFrom(level_, path_, path), generation_};

@@ -66,13 +66,9 @@ class Session {
   /// written since, or cannot be read, counts as changed by another program.
   void recover(const std::filesystem::path& path, std::optional<LevelFile> file, Level level,
                std::optional<FileTime> known = std::nullopt);
-  /// Writes the level, which belongs to this file from then on; meshes are found from there, too. A change
-  /// that goes on is finished first. Returns what could not be kept of the file that was replaced. Throws Error and
-  /// leaves everything as it was, the file too.
-  std::vector<std::string> saveTo(const std::filesystem::path& path);
-  /// saveTo() in two parts, for who writes the file in between: what is to be written, after the end of a change that goes
-  /// on, and what follows when it is. What was edited meanwhile stays, and is not saved; when another level has been
-  /// opened meanwhile, nothing follows.
+  /// Saving is writing a file between two calls (SaveJob): what is to be written, after the end of a change that goes on,
+  /// and what follows when it is. The level belongs to this file then, and finds its mesh from there. What was edited
+  /// meanwhile stays, and is not saved; when another level has been opened meanwhile, nothing follows.
   SavedLevel prepareSave(const std::filesystem::path& path);
   void finishSave(const SavedLevel& saved, std::optional<FileTime> written);
 

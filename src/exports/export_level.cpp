@@ -18,7 +18,7 @@ std::optional<ExportSummary> exportLevel(const LevelResult& finished, const Expo
   if (!hasEnding(format, request.path)) {
     throw Error("expected a file name that ends in " + exportEndings(request.kind), request.path.string());
   }
-  CHECK(finished.sculpture.sculpture && !finished.sculpture.sculpture->mesh.triangles.empty());
+  CHECK(hasSculpture(finished));
   if (!progress.update(0)) return std::nullopt;
   return format.write(finished, request, threads, progress);
 }

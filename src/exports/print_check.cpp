@@ -223,7 +223,7 @@ JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
       .add("moreSelfIntersections", check.crossings.more);
   JsonValue walls;
   if (check.walls.samples > 0) {
-    JsonValue places{JsonValue::Kind::array, {}, 0, {}, {}};
+    JsonValue places = emptyList();
     for (const ThinPlace& place : check.walls.places)
       places.items.push_back(JsonObject().add("atMm", place.at).add("mm", place.thickness).value());
     walls = JsonObject()

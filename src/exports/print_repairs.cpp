@@ -41,25 +41,25 @@ Mesh repaired(Mesh mesh, const PrintRepairs& repairs) {
   return mesh;
 }
 
-void say(std::vector<std::string>& notes, std::size_t count, const char* one, const char* many) {
-  if (count > 0) notes.push_back(count == 1 ? tr(one) : trFormat(fmt::runtime(many), count));
-}
+struct RepairWords {
+  const char *turnedPart, *turnedParts, *doubled, *doubledMany;
+};
+constexpr RepairWords done{"1 part was inside out and has been turned",
+                           "{} parts were inside out and have been turned",
+                           "1 triangle was there twice and has been left out",
+                           "{} triangles were there twice and have been left out"};
+constexpr RepairWords left{"1 part is inside out, and stays so because the tolerance is off",
+                           "{} parts are inside out, and stay so because the tolerance is off",
+                           "1 triangle is there twice, and stays because the tolerance is off",
+                           "{} triangles are there twice, and stay because the tolerance is off"};
 
-std::vector<std::string> notesOfDone(const PrintRepairs& repairs) {
+std::vector<std::string> notesOf(const PrintRepairs& repairs, const RepairWords& words) {
   std::vector<std::string> notes;
-  say(notes, repairs.turnedParts, "1 part was inside out and has been turned",
-      "{} parts were inside out and have been turned");
-  say(notes, repairs.doubled.size(), "1 triangle was there twice and has been left out",
-      "{} triangles were there twice and have been left out");
-  return notes;
-}
-
-std::vector<std::string> notesOfLeft(const PrintRepairs& repairs) {
-  std::vector<std::string> notes;
-  say(notes, repairs.turnedParts, "1 part is inside out, and stays so because the tolerance is off",
-      "{} parts are inside out, and stay so because the tolerance is off");
-  say(notes, repairs.doubled.size(), "1 triangle is there twice, and stays because the tolerance is off",
-      "{} triangles are there twice, and stay because the tolerance is off");
+  const auto say = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) notes.push_back(count == 1 ? tr(one) : trFormat(fmt::runtime(many), count));
+  };
+  say(repairs.turnedParts, words.turnedPart, words.turnedParts);
+  say(repairs.doubled.size(), words.doubled, words.doubledMany);
   return notes;
 }
 
@@ -97,8 +97,8 @@ PrintRepairs findRepairs(const Mesh& mesh) {
 
 PreparedPrint prepareForPrint(Mesh mesh, bool mayChange) {
   const PrintRepairs repairs = findRepairs(mesh);
-  if (!mayChange) return {std::move(mesh), notesOfLeft(repairs)};
-  return {repaired(std::move(mesh), repairs), notesOfDone(repairs)};
+  if (!mayChange) return {std::move(mesh), notesOf(repairs, left)};
+  return {repaired(std::move(mesh), repairs), notesOf(repairs, done)};
 }
 
 }  // namespace anamorph

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "level/choose.h"
 #include "level/file_remarks.h"
 #include "level/json.h"
 #include "level/level.h"
@@ -139,15 +140,6 @@ class FieldReader {
     FieldReader inner(json, std::move(path), context_);
     fields(inner, part);
     inner.finish();
-  }
-
-  template <typename Enum>
-  requires std::is_enum_v<Enum>
-  static void choose(Enum& value, std::size_t index) { value = static_cast<Enum>(index); }
-  template <typename... Alternative>
-  static void choose(std::variant<Alternative...>& value, std::size_t index) {
-    std::size_t i = 0;
-    ((i++ == index ? static_cast<void>(value.template emplace<Alternative>()) : void()), ...);
   }
 
   const JsonValue& json_;

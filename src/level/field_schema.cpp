@@ -34,7 +34,8 @@ JsonValue oneOfThese(const std::vector<std::string>& names) {
 }
 
 JsonValue anyOf(std::vector<JsonValue> schemas) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, std::move(schemas)};
+  JsonValue list = emptyList();
+  list.items = std::move(schemas);
   return JsonObject().add("anyOf", std::move(list)).value();
 }
 

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "level/choose.h"
 #include "level/json.h"
 #include "level/level.h"
 #include "level/limits.h"
@@ -79,15 +80,6 @@ class FieldSchema {
   void add(const std::string& key, JsonValue schema);
   void addList(const char* key, const JsonValue& item, std::size_t most);
   void startChoice(const char* key, std::vector<std::string> names);
-
-  template <typename Enum>
-  requires std::is_enum_v<Enum>
-  static void choose(Enum& value, std::size_t index) { value = static_cast<Enum>(index); }
-  template <typename... Alternative>
-  static void choose(std::variant<Alternative...>& value, std::size_t index) {
-    std::size_t i = 0;
-    ((i++ == index ? static_cast<void>(value.template emplace<Alternative>()) : void()), ...);
-  }
 
   std::size_t chosen_;
   std::string choiceKey_;  // empty: none

@@ -15,8 +15,12 @@ JsonValue numberJson(double number) {
 
 }  // namespace
 
+JsonValue emptyList() {
+  return {JsonValue::Kind::array, {}, 0, {}, {}};
+}
+
 JsonValue textList(const std::vector<std::string>& texts) {
-  JsonValue list{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue list = emptyList();
   for (const std::string& text : texts) list.items.push_back({JsonValue::Kind::string, text, 0, {}, {}});
   return list;
 }
@@ -45,7 +49,7 @@ JsonObject& JsonObject::add(const std::string& key, const std::string& value) {
 }
 
 JsonObject& JsonObject::add(const std::string& key, const Vector& value) {
-  JsonValue array{JsonValue::Kind::array, {}, 0, {}, {}};
+  JsonValue array = emptyList();
   for (int axis = 0; axis < 3; ++axis) array.items.push_back(numberJson(value[axis]));
   return add(key, std::move(array));
 }

@@ -9,6 +9,8 @@
 
 namespace anamorph {
 
+/// An array that items are to be put into.
+JsonValue emptyList();
 /// An array of strings.
 JsonValue textList(const std::vector<std::string>& texts);
 

@@ -31,11 +31,6 @@ class LessonFaults {
   FileRemarks& remarks_;
 };
 
-bool& mistakeOf(Mistakes& mistakes, const std::string& name) {
-  if (name == "direction") return mistakes.direction;
-  return name == "distance" ? mistakes.distance : mistakes.normal;
-}
-
 template <typename Value>
 void take(Value& value, const std::optional<Value>& moved) {
   if (moved) value = *moved;

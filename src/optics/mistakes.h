@@ -8,6 +8,8 @@
 //   N through a cylinder's axis    N through a cylinder's middle, as if it were a sphere
 #pragma once
 
+#include <string_view>
+
 namespace anamorph {
 
 /// True: as published.
@@ -19,5 +21,11 @@ struct Mistakes {
   bool any() const { return direction || distance || normal; }
   bool operator==(const Mistakes&) const = default;
 };
+
+/// By its member's name, as lessons have it.
+inline bool& mistakeOf(Mistakes& mistakes, std::string_view name) {
+  if (name == "direction") return mistakes.direction;
+  return name == "distance" ? mistakes.distance : mistakes.normal;
+}
 
 }  // namespace anamorph

@@ -3,12 +3,9 @@
 namespace anamorph {
 
 const char* stateWords(const LevelResult& result, bool busy) {
-  const Sculpture* sculpture = result.sculpture.sculpture.get();
-  const bool isThere =
-      sculpture && !sculpture->mesh.triangles.empty();  // a frozen one is, whatever the problem
-  if (result.problem) return isThere ? "nothing to compare" : "no sculpture";
+  if (result.problem) return hasSculpture(result) ? "nothing to compare" : "no sculpture";
   if (!result.complete && !busy) return "not finished";  // it was cancelled
-  if (!sculpture) return "loading";
+  if (!result.sculpture.sculpture) return "loading";
   if (!result.refined) return "following, not refined yet";
   const bool refines = result.level.sculpture.tolerancePixels > 0;
   if (!result.complete) return refines ? "refined, being measured" : "not refined, being measured";

@@ -12,9 +12,7 @@ namespace anamorph {
 void Evaluator::makeSculptureOf(LevelResult& result, int threads, const Progress& progress) {
   const Level& level = result.level;
   result.refined = true;
-  result.problem = findSculptureProblem(level, result.source == result.original.mesh
-                                                   ? result.original.box
-                                                   : boundingBox(result.source->positions));
+  result.problem = findSculptureProblem(level, sourceBox(result));
   if (result.problem) {
     result.sculpture = emptySculpture({});
     return;

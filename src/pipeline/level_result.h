@@ -42,4 +42,14 @@ struct LevelResult {
   std::shared_ptr<const std::vector<RayTree>> trees;  ///< of every cell, row by row
 };
 
+/// Whether there is a sculpture to be seen: a frozen one is, whatever the problem.
+inline bool hasSculpture(const LevelResult& result) {
+  return result.sculpture.sculpture && !result.sculpture.sculpture->mesh.triangles.empty();
+}
+
+/// Of what the sculpture is made from; measured only where that is not the original as it stands.
+inline Box sourceBox(const LevelResult& result) {
+  return result.source == result.original.mesh ? result.original.box : boundingBox(result.source->positions);
+}
+
 }  // namespace anamorph

@@ -19,6 +19,7 @@
 #include "level/level_json.h"
 #include "long_lesson.h"
 #include "recovery_fixture.h"
+#include "save_session.h"
 #include "shapes.h"
 #include "small_disk.h"
 
@@ -305,7 +306,7 @@ TEST_F(Autosaves, OfWhatWasRestoredGoOnInTheSameFile) {
     ASSERT_EQ(files(), 1u);
   }
   EXPECT_EQ(offeredElsewhere(), 0);
-  session.saveTo(temporary / "saved.json");
+  testing::saveTo(session, temporary / "saved.json");
   keep(autosave);
   EXPECT_EQ(files(), 0u);
 }

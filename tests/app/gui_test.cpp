@@ -15,6 +15,7 @@
 #include "panels/actions.h"
 #include "panels/help_buttons.h"
 #include "panels/view_panel.h"
+#include "save_session.h"
 
 namespace anamorph::testing {
 namespace {
@@ -167,7 +168,7 @@ TEST_F(OpenGui, ALevelThatIsDroppedWaitsForTheQuestion) {
   const TemporaryFolder folder;
   const std::string own = folder / "own.json";  // an installed one is left without a question
   Level level = editor().session.level();
-  editor().session.saveTo(own);
+  testing::saveTo(editor().session, own);
   level.sculpture.depthScale = 2;
   editor().session.edit(level);
   gui().drop({levelPath("3-sphere")});

@@ -13,6 +13,7 @@
 #include "base/folder.h"
 #include "edit/session.h"
 #include "level/level_json.h"
+#include "save_session.h"
 
 namespace anamorph {
 namespace {
@@ -132,7 +133,7 @@ TEST(PowerCut, CostsNoLevel) {
       Level level;
       level.text.edit([&](LevelText& text) { text.title = title; });
       session.startNew(level);
-      session.saveTo(folder / "mine.json");
+      testing::saveTo(session, folder / "mine.json");
     };
   };
   const Document title = [](const fs::path& folder) {

@@ -15,6 +15,7 @@
 #include "base/file.h"
 #include "disk/power_cut.h"
 #include "level/level_json.h"
+#include "save_session.h"
 
 namespace anamorph {
 namespace {
@@ -131,7 +132,7 @@ struct Window {
     update(folder);
   }
   void saveAndEnd(const fs::path& folder) {
-    session.saveTo(folder / "mine.json");
+    testing::saveTo(session, folder / "mine.json");
     autosave.reset();
   }
 };

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/program.h"
+#include "save_session.h"
 
 namespace anamorph {
 namespace {
@@ -81,7 +82,7 @@ TEST_F(EditJobs, SayNothingOfALevelThatHasBeenChanged) {
 TEST_F(EditJobs, ComeTooLateAfterSavingElsewhere) {
   const TemporaryFolder folder;
   job.start(session, "Work", [](const Level&, const Progress&) { return EditResult{numbered(7), ""}; });
-  session.saveTo(folder / "elsewhere.json");
+  testing::saveTo(session, folder / "elsewhere.json");
   EXPECT_NE(waitFor(job, session), "");
   EXPECT_EQ(session.level(), numbered(0));
 }

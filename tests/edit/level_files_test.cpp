@@ -13,6 +13,7 @@
 #include "level/level_json.h"
 #include "level/random_level.h"
 #include "pipeline/original.h"
+#include "save_session.h"
 
 namespace anamorph {
 namespace {
@@ -48,13 +49,13 @@ TEST_F(MovedLevel, FindsItsMeshFromAnotherFolder) {
   Level changed = session.level();
   changed.sculpture.depthScale = 2;
   session.edit(changed);
-  session.saveTo(folder / "b/level.json");
+  testing::saveTo(session, folder / "b/level.json");
   EXPECT_EQ(meshPath(), "../a/meshes/cube.obj");
   EXPECT_TRUE(findsMesh());
   session.undo();
   EXPECT_TRUE(findsMesh()) << "the steps before the saving are of the new folder, too";
   session.redo();
-  session.saveTo(folder / "a/other.json");
+  testing::saveTo(session, folder / "a/other.json");
   EXPECT_EQ(meshPath(), "meshes/cube.obj");
   EXPECT_TRUE(findsMesh());
   EXPECT_FALSE(session.modified());
@@ -67,7 +68,7 @@ TEST_F(MovedLevel, NamesTheSameMeshFromEveryFolder) {
                                   {"level.json", "a/meshes/cube.obj"},
                                   {"b/level.json", "../a/meshes/cube.obj"}};
   for (const auto& [file, path] : saved) {
-    session.saveTo(folder / file);
+    testing::saveTo(session, folder / file);
     EXPECT_EQ(meshPath(), path) << file;
     EXPECT_TRUE(findsMesh()) << file;
     session.undo();
@@ -84,7 +85,7 @@ TEST_F(MovedLevel, KeepsItsWordsInTheSameFolder) {
   Level level = session.level();
   level.original.shape = FileShape{"../a/meshes/cube.obj"};
   session.edit(level);
-  session.saveTo(folder / "a/again.json");
+  testing::saveTo(session, folder / "a/again.json");
   EXPECT_EQ(meshPath(), "../a/meshes/cube.obj");
 }
 
@@ -98,7 +99,7 @@ TEST_F(MovedLevel, FollowsLinksOfFolders) {
   level.original.shape = FileShape{"../cube.obj"};  // of far/away, not beside the link
   session.edit(level);
   ASSERT_TRUE(findsMesh());
-  session.saveTo(folder / "b/level.json");
+  testing::saveTo(session, folder / "b/level.json");
   EXPECT_TRUE(findsMesh()) << meshPath();
 }
 
@@ -146,7 +147,7 @@ TEST_F(MovedLevel, TakesItsMeshAlong) {
   EXPECT_EQ(*loadOriginal(level.original.shape, "/nowhere/level.json").mesh, *mesh);
   EXPECT_EQ(findMissingMesh(level, "/nowhere/level.json"), std::nullopt);
   session.edit(level);
-  session.saveTo(folder / "b/level.json");
+  testing::saveTo(session, folder / "b/level.json");
   EXPECT_EQ(loadLevel(folder / "b/level.json").level, level) << "it stays inside";
 }
 

@@ -19,6 +19,7 @@
 #include "error_text.h"
 #include "level/level_json.h"
 #include "level/random_level.h"
+#include "save_session.h"
 #include "shapes.h"
 #include "small_disk.h"
 
@@ -43,7 +44,7 @@ TEST(SessionFiles, RandomLevelsAreTheSameAfterSavingAndOpening) {
     Level level = RandomLevel(seed).make();
     if (auto* file = std::get_if<FileShape>(&level.original.shape)) file->path = "/somewhere/" + file->path;
     session.edit(level);
-    session.saveTo(folder / "level.json");
+    testing::saveTo(session, folder / "level.json");
     EXPECT_FALSE(session.modified());
     Session other;
     other.open(folder / "level.json");
@@ -61,7 +62,7 @@ TEST(SessionFiles, ModifiedMeansDifferentFromTheFile) {
   EXPECT_FALSE(session.modified());
   session.edit(numbered(1));
   EXPECT_TRUE(session.modified());
-  session.saveTo(folder / "a.json");
+  testing::saveTo(session, folder / "a.json");
   EXPECT_FALSE(session.modified());
   session.edit(numbered(2));
   session.undo();
@@ -82,7 +83,7 @@ TEST(SessionFiles, SavingInADragFinishesItAsOneStep) {
   session.startNew(numbered(0));
   session.change(numbered(1));
   session.change(numbered(2));
-  session.saveTo(folder / "a.json");
+  testing::saveTo(session, folder / "a.json");
   EXPECT_FALSE(session.changing());
   EXPECT_EQ(loadLevel(folder / "a.json").level, numbered(2));
   session.undo();
@@ -94,7 +95,7 @@ TEST(SessionFiles, ASavedSceneOfTheThesisIsALevel) {
   Session session;
   session.open(fs::path(ANAMORPH_TEST_DATA) / "scenes" / "thesis-sphere.json");
   EXPECT_TRUE(session.isThesisScene());
-  session.saveTo(folder / "level.json");
+  testing::saveTo(session, folder / "level.json");
   EXPECT_FALSE(session.isThesisScene());
   EXPECT_FALSE(loadLevel(folder / "level.json").isThesisScene);
 }
@@ -140,7 +141,7 @@ TEST(Recovery, IsNotSavedOverWhatItDoesNotKnow) {
   EXPECT_TRUE(isWrittenElsewhere(session.path(), session.fileTime()))
       << "another program wrote it, before or after the rescue";
   EXPECT_EQ(session.fileTime(), written - std::chrono::seconds(1)) << "also for the next rescue";
-  session.saveTo(folder / "a.json");
+  testing::saveTo(session, folder / "a.json");
   EXPECT_FALSE(isWrittenElsewhere(session.path(), session.fileTime()));
 }
 
@@ -150,7 +151,7 @@ void expectNothingLost(Session& session, const std::string& folder, const std::s
   const Level level = session.level();
   const fs::path path = session.path();
   const bool canRedo = session.canRedo();
-  const std::string message = errorOf([&] { session.saveTo(target); });
+  const std::string message = errorOf([&] { testing::saveTo(session, target); });
   EXPECT_NE(message.find(reason), std::string::npos) << message;
   EXPECT_NE(message.find(target), std::string::npos) << message;
   EXPECT_EQ(session.level(), level);
@@ -175,7 +176,7 @@ TEST(FailedSave, OnAFullDiskKeepsFileAndLevel) {
     expectNothingLost(session, folder / "", folder / "a.json", "File too large");
   }
   EXPECT_EQ(readAll(folder / "a.json"), before);
-  session.saveTo(folder / "a.json");
+  testing::saveTo(session, folder / "a.json");
   EXPECT_FALSE(session.modified()) << "once there is room again";
 }
 

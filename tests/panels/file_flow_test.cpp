@@ -16,6 +16,7 @@
 #include "panels/dialogs.h"
 #include "panels/file_browser.h"
 #include "panels_fixture.h"
+#include "save_session.h"
 
 namespace anamorph::testing {
 namespace {
@@ -275,7 +276,7 @@ TEST_F(FileFlow, ASecondWindowOfTheFileIsAskedBeforeItReplaces) {
   theirs.sculpture.depthScale = 5;
   other.edit(theirs);
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  other.saveTo(folder_ / "mine.json");  // replaces it all the same
+  testing::saveTo(other, folder_ / "mine.json");  // replaces it all the same
   modify(3);
   act(Action::save);
   ASSERT_TRUE(ui.browser.open);
@@ -540,7 +541,7 @@ TEST_F(FileFlow, NothingIsSavedOverWhatTheLevelIsReadFrom) {
   Level level = editor.session.level();
   level.original.shape = FileShape{"b.obj"};
   editor.session.edit(level);
-  editor.session.saveTo(folder_ / "mine.json");
+  testing::saveTo(editor.session, folder_ / "mine.json");
   const FilePurpose sculpture = FilePurpose::toSave(formatOf(ExportKind::sculpture));
   const FilePurpose report = FilePurpose::toSave(formatOf(ExportKind::matchReport));
   const std::tuple<FilePurpose, const char*, bool> cases[] = {
