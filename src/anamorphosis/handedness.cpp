@@ -24,7 +24,7 @@ double orientation(const VertexMap& map, const PointArray& original, const Trian
     sent[i] = towards / length;
     onward[i] = glm::normalize(path.exit.direction);
     exit[i] = path.exit.origin;
-    distance += map.depthScale * (1 - path.travelled) * length / 3;
+    distance += exitLength(map, path, towards) * length / 3;
   }
   const auto edge = [&](std::size_t i) { return exit[i] - exit[0] + distance * (onward[i] - onward[0]); };
   const double spread = glm::dot(glm::cross(edge(1), edge(2)), onward[0] + onward[1] + onward[2]);

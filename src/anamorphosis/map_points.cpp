@@ -19,6 +19,7 @@ void mapRange(const VertexMap& map, const PointArray& in, MappedPoints& out, std
     } else {
       plainCount = exitPoints(map.optic, {map.eye,
                                           map.depthScale,
+                                          map.depthOffset,
                                           {&in.x[first], &in.y[first], &in.z[first]},
                                           count,
                                           {&out.points.x[first], &out.points.y[first], &out.points.z[first]},

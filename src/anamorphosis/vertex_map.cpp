@@ -43,12 +43,17 @@ PublishedRay followPublished(const VertexMap& map, const OpticPath& path, const 
   ray.normal = map.mistakes.normal ? publishedNormal(map.optic, path) : path.normals[last];
   ray.reflected = glm::normalize(reflect(map.mistakes.direction ? -incoming : incoming, ray.normal));
   ray.distance = glm::length(map.mistakes.distance ? towards - mirror : original - mirror);
-  ray.sculpture = mirror + map.depthScale * ray.distance * ray.reflected;
+  ray.sculpture = mirror + (map.depthScale * ray.distance + map.depthOffset) * ray.reflected;
   return ray;
 }
 
 bool makesMistakes(const VertexMap& map, const OpticPath& path) {
   return map.mistakes.any() && path.pointCount > 0 && path.bends;
+}
+
+double exitLength(const VertexMap& map, const OpticPath& path, const Vector& towards) {
+  const double rest = map.depthScale * (1 - path.travelled);
+  return map.depthOffset == 0 ? rest : rest + map.depthOffset / glm::length(towards);
 }
 
 MappedPoint mapPoint(const VertexMap& map, const Point& original) {
@@ -59,10 +64,10 @@ MappedPoint mapPoint(const VertexMap& map, const Point& original) {
 
 MappedPoint mapAlong(const VertexMap& map, const OpticPath& path, const Point& original) {
   if (makesMistakes(map, path)) return mapPublished(map, path, original);
-  const double exitLength = map.depthScale * (1 - path.travelled);
-  const PathStatus status = statusOf(map.optic, path, exitLength);
+  const double length = exitLength(map, path, original - map.eye);
+  const PathStatus status = statusOf(map.optic, path, length);
   if (status != PathStatus::mapped) return {original, status};
-  return {path.exit.at(exitLength), status};
+  return {path.exit.at(length), status};
 }
 
 }  // namespace anamorph

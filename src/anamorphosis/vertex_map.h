@@ -10,11 +10,16 @@ namespace anamorph {
 struct VertexMap {
   Optic optic;
   Point eye{0};
-  double depthScale = 1;  ///< k
+  double depthScale = 1;   ///< k
+  double depthOffset = 0;  ///< scene units
   Mistakes mistakes;
 
   bool operator==(const VertexMap&) const = default;
 };
+
+/// How far beyond the optic the vertex of a point lies that is `towards` from the eye, in lengths of that ray: k times
+/// the rest of the way, and the offset.
+double exitLength(const VertexMap& map, const OpticPath& path, const Vector& towards);
 
 /// Where a point goes, and what became of it. Not mapped: the point itself.
 struct MappedPoint {

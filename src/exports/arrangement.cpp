@@ -53,7 +53,7 @@ Arrangement makeArrangement(const LevelResult& finished, double millimetresPerUn
   arrangement.millimetresPerUnit = millimetresPerUnit;
   arrangement.hasMirror = isVisible(level.optic);
   arrangement.mirror = scaleMirror(level.optic.shape(), millimetresPerUnit);
-  arrangement.mirrorSurface = tessellate(arrangement.mirror);
+  arrangement.mirrorSurface = tessellate(arrangement.mirror).mesh;
   arrangement.sculpture = makePrintable(finished.sculpture.sculpture->mesh, millimetresPerUnit);
   arrangement.eye = millimetresPerUnit * level.camera.eye;
   arrangement.middle = middleOf(arrangement.mirror);

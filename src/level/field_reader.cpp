@@ -103,6 +103,67 @@ void FieldReader::field(const char* key, std::span<Point> values, Range range) {
   }
 }
 
+void FieldReader::field(const char* key, std::span<double> values, Range range) {
+  const JsonValue* json = find(key);
+  if (!json) return;
+  if (json->kind != Kind::array || json->items.size() != values.size()) {
+    return fail(pathOf(key), fmt::format("an array of {} numbers", values.size()), *json);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] =
+        readNumber(json->items[i], joinJsonPath(pathOf(key), std::to_string(i)), range).value_or(values[i]);
+  }
+}
+
+void FieldReader::numbers(const char* key, std::vector<double>& values, Range range, Range count) {
+  const JsonValue* json = find(key);
+  if (!json || !isArray(*json, pathOf(key), "numbers", count)) return;
+  values.assign(json->items.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] =
+        readNumber(json->items[i], joinJsonPath(pathOf(key), std::to_string(i)), range).value_or(range.max);
+  }
+}
+
+void FieldReader::curve(const char* key, std::vector<CurvePoint>& values, Range range, Range count) {
+  const JsonValue* json = find(key);
+  if (!json || !isArray(*json, pathOf(key), "points", count)) return;
+  values.assign(json->items.size(), CurvePoint(0));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const JsonValue& item = json->items[i];
+    const std::string path = joinJsonPath(pathOf(key), std::to_string(i));
+    if (!isArray(item, path, "numbers", {2, 2})) continue;
+    for (int k = 0; k < 2; ++k) {
+      values[i][k] =
+          readNumber(item.items[static_cast<std::size_t>(k)], joinJsonPath(path, std::to_string(k)), range)
+              .value_or(0);
+    }
+  }
+}
+
+void FieldReader::grid(const char* key, HeightGrid& values, Range range, Range count) {
+  const JsonValue* json = find(key);
+  if (!json || !isArray(*json, pathOf(key), "rows", count)) return;
+  HeightGrid grid;
+  for (std::size_t row = 0; row < json->items.size(); ++row) {
+    const JsonValue& item = json->items[row];
+    const std::string path = joinJsonPath(pathOf(key), std::to_string(row));
+    const auto columns = static_cast<double>(grid.columns);
+    if (!isArray(item, path, "numbers", row == 0 ? count : Range{columns, columns})) return;
+    grid.columns = item.items.size();
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      grid.heights.push_back(
+          readNumber(item.items[i], joinJsonPath(path, std::to_string(i)), range).value_or(0));
+    }
+  }
+  values = std::move(grid);
+}
+
+void FieldReader::optional(const char* key, double& value, double usual, Range range) {
+  value = usual;
+  field(key, value, range);
+}
+
 void FieldReader::pair(const char* key, int& first, int& second, Range range) {
   const JsonValue* json = find(key);
   if (!json) return;
@@ -239,6 +300,20 @@ void FieldReader::readVector(const JsonValue& json, const std::string& path, Vec
     const JsonValue& item = json.items[static_cast<std::size_t>(i)];
     value[i] = readNumber(item, joinJsonPath(path, std::to_string(i)), range).value_or(value[i]);
   }
+}
+
+bool FieldReader::isArray(const JsonValue& json, const std::string& path, const char* of, Range count) {
+  const auto size = static_cast<double>(json.items.size());
+  const std::string many = count.min == count.max
+                               ? inFull(count.min)
+                               : fmt::format("{} to {}", inFull(count.min), inFull(count.max));
+  if (json.kind != Kind::array) {
+    fail(path, fmt::format("an array of {} {}", many, of), json);
+    return false;
+  }
+  if (count.holds(size)) return true;
+  fault(fmt::format("expected {} {}, got {}", many, of, json.items.size()), json, path);
+  return false;
 }
 
 std::optional<std::size_t> FieldReader::readChoice(const char* key, const std::vector<std::string>& names) {

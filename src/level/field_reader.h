@@ -21,6 +21,7 @@
 #include "level/json.h"
 #include "level/level.h"
 #include "level/limits.h"
+#include "optics/shape_fields.h"
 
 namespace anamorph {
 
@@ -56,6 +57,17 @@ class FieldReader {
   void field(const char* key, std::size_t& value, Range range);
   void field(const char* key, Vector& value, Range range);
   void field(const char* key, std::span<Point> values, Range range);
+
+  /// An array of as many numbers as there are values.
+  void field(const char* key, std::span<double> values, Range range);
+  /// An array of numbers, as many as `count` allows.
+  void numbers(const char* key, std::vector<double>& values, Range range, Range count);
+  /// An array of pairs of numbers.
+  void curve(const char* key, std::vector<CurvePoint>& values, Range range, Range count);
+  /// An array of rows of numbers, all of the same length.
+  void grid(const char* key, HeightGrid& values, Range range, Range count);
+  /// A number that files need not have.
+  void optional(const char* key, double& value, double usual, Range range);
 
   /// Two whole numbers.
   void pair(const char* key, int& first, int& second, Range range);
@@ -112,6 +124,12 @@ class FieldReader {
     }
   }
 
+  /// The same; written only when there is one.
+  template <typename Part>
+  void listIfAny(const char* key, std::vector<Part>& parts, std::size_t most) {
+    list(key, parts, most);
+  }
+
   /// For conditions beyond ranges: "expected `what`, got the value of `key`" when not `holds`. Nothing where `key` has
   /// another fault.
   void expect(bool holds, const char* key, const std::string& what);
@@ -128,6 +146,7 @@ class FieldReader {
   std::optional<double> readNumber(const JsonValue& json, const std::string& path, Range range,
                                    bool whole = false);
   void readVector(const JsonValue& json, const std::string& path, Vector& value, Range range);
+  bool isArray(const JsonValue& json, const std::string& path, const char* of, Range count);
   std::optional<std::size_t> readChoice(const char* key, const std::vector<std::string>& names);
   void opaque(const char* key, std::string& json, std::size_t most);
   bool areFew(const std::string& text, const JsonValue& json, const char* key, std::size_t most);

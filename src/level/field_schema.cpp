@@ -8,7 +8,7 @@
 namespace anamorph {
 namespace {
 
-JsonValue numbers(Range range, const char* type = "number") {
+JsonValue numberIn(Range range, const char* type = "number") {
   return JsonObject()
       .add("type", std::string(type))
       .add("minimum", range.min)
@@ -25,8 +25,12 @@ JsonValue arrayOf(const JsonValue& item, std::size_t least, std::size_t most) {
       .value();
 }
 
+JsonValue arrayOf(const JsonValue& item, Range count) {
+  return arrayOf(item, static_cast<std::size_t>(count.min), static_cast<std::size_t>(count.max));
+}
+
 JsonValue vectors(Range range) {
-  return arrayOf(numbers(range), 3, 3);
+  return arrayOf(numberIn(range), 3, 3);
 }
 
 JsonValue oneOfThese(const std::vector<std::string>& names) {
@@ -52,15 +56,15 @@ void FieldSchema::field(const char* key, bool&) {
 }
 
 void FieldSchema::field(const char* key, double&, Range range) {
-  add(key, numbers(range));
+  add(key, numberIn(range));
 }
 
 void FieldSchema::field(const char* key, int&, Range range) {
-  add(key, numbers(range, "integer"));
+  add(key, numberIn(range, "integer"));
 }
 
 void FieldSchema::field(const char* key, std::size_t&, Range range) {
-  add(key, numbers(range, "integer"));
+  add(key, numberIn(range, "integer"));
 }
 
 void FieldSchema::field(const char* key, Vector&, Range range) {
@@ -71,16 +75,32 @@ void FieldSchema::field(const char* key, std::span<Point> values, Range range) {
   add(key, arrayOf(vectors(range), values.size(), values.size()));
 }
 
+void FieldSchema::field(const char* key, std::span<double> values, Range range) {
+  add(key, arrayOf(numberIn(range), values.size(), values.size()));
+}
+
+void FieldSchema::numbers(const char* key, std::vector<double>&, Range range, Range count) {
+  add(key, arrayOf(numberIn(range), count));
+}
+
+void FieldSchema::curve(const char* key, std::vector<CurvePoint>&, Range range, Range count) {
+  add(key, arrayOf(arrayOf(numberIn(range), 2, 2), count));
+}
+
+void FieldSchema::grid(const char* key, HeightGrid&, Range range, Range count) {
+  add(key, arrayOf(arrayOf(numberIn(range), count), count));
+}
+
 void FieldSchema::pair(const char* key, int&, int&, Range range) {
-  add(key, arrayOf(numbers(range, "integer"), 2, 2));
+  add(key, arrayOf(numberIn(range, "integer"), 2, 2));
 }
 
 void FieldSchema::factors(const char* key, Vector&, Range range) {
-  add(key, anyOf({numbers(range), vectors(range)}));
+  add(key, anyOf({numberIn(range), vectors(range)}));
 }
 
 void FieldSchema::numberOrOff(const char* key, double&, Range range) {
-  add(key, anyOf({oneOfThese({"off"}), numbers({0, 0}), numbers(range)}));
+  add(key, anyOf({oneOfThese({"off"}), numberIn({0, 0}), numberIn(range)}));
 }
 
 void FieldSchema::textOrNone(const char* key, std::string&, std::size_t most) {

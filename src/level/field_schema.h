@@ -20,6 +20,7 @@
 #include "level/json.h"
 #include "level/level.h"
 #include "level/limits.h"
+#include "optics/shape_fields.h"
 
 namespace anamorph {
 
@@ -40,6 +41,11 @@ class FieldSchema {
   void field(const char* key, std::size_t&, Range range);
   void field(const char* key, Vector&, Range range);
   void field(const char* key, std::span<Point> values, Range range);
+  void field(const char* key, std::span<double> values, Range range);
+  void numbers(const char* key, std::vector<double>&, Range range, Range count);
+  void curve(const char* key, std::vector<CurvePoint>&, Range range, Range count);
+  void grid(const char* key, HeightGrid&, Range range, Range count);
+  void optional(const char* key, double& value, double /*usual*/, Range range) { field(key, value, range); }
   void pair(const char* key, int&, int&, Range range);
   void factors(const char* key, Vector&, Range range);
   void numberOrOff(const char* key, double&, Range range);
@@ -70,6 +76,11 @@ class FieldSchema {
   }
   template <typename Part>
   void list(const char* key, std::vector<Part>&, std::size_t most);
+
+  template <typename Part>
+  void listIfAny(const char* key, std::vector<Part>& parts, std::size_t most) {
+    list(key, parts, most);
+  }
 
   /// The names of the choice that was met; empty: none.
   const std::vector<std::string>& choices() const { return choices_; }

@@ -29,6 +29,12 @@ JsonValue array(std::vector<JsonValue> items) {
   return json;
 }
 
+JsonValue array(std::span<const double> numbers) {
+  std::vector<JsonValue> items;
+  for (const double value : numbers) items.push_back(number(value));
+  return array(std::move(items));
+}
+
 JsonValue vector(const Vector& v) {
   return array({number(v.x), number(v.y), number(v.z)});
 }
@@ -68,6 +74,32 @@ void FieldWriter::field(const char* key, std::span<const Point> values, Range) {
   std::vector<JsonValue> items;
   for (const Point& value : values) items.push_back(vector(value));
   add(key, array(std::move(items)));
+}
+
+void FieldWriter::field(const char* key, std::span<const double> values, Range) {
+  add(key, array(values));
+}
+
+void FieldWriter::numbers(const char* key, const std::vector<double>& values, Range, Range) {
+  add(key, array(values));
+}
+
+void FieldWriter::curve(const char* key, const std::vector<CurvePoint>& values, Range, Range) {
+  std::vector<JsonValue> items;
+  for (const CurvePoint& value : values) items.push_back(array({number(value.x), number(value.y)}));
+  add(key, array(std::move(items)));
+}
+
+void FieldWriter::grid(const char* key, const HeightGrid& values, Range, Range) {
+  std::vector<JsonValue> rows;
+  for (std::size_t row = 0; row < values.rows(); ++row) {
+    rows.push_back(array(std::span(values.heights).subspan(row * values.columns, values.columns)));
+  }
+  add(key, array(std::move(rows)));
+}
+
+void FieldWriter::optional(const char* key, double value, double usual, Range range) {
+  if (value != usual) field(key, value, range);
 }
 
 void FieldWriter::pair(const char* key, int first, int second, Range) {

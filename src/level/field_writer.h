@@ -34,6 +34,12 @@ class FieldWriter {
   void field(const char* key, std::size_t value, Range);
   void field(const char* key, const Vector& value, Range);
   void field(const char* key, std::span<const Point> values, Range);
+  void field(const char* key, std::span<const double> values, Range);
+  void numbers(const char* key, const std::vector<double>& values, Range, Range);
+  void curve(const char* key, const std::vector<CurvePoint>& values, Range, Range);
+  void grid(const char* key, const HeightGrid& values, Range, Range);
+  /// Nothing is written for the usual number.
+  void optional(const char* key, double value, double usual, Range range);
   void pair(const char* key, int first, int second, Range);
   void factors(const char* key, const Vector& value, Range);
   void numberOrOff(const char* key, double value, Range);
@@ -72,6 +78,11 @@ class FieldWriter {
       json.items.push_back(writeObject(joinJsonPath(joinJsonPath(path_, key), std::to_string(i)), parts[i]));
     }
     add(key, std::move(json));
+  }
+
+  template <typename Part>
+  void listIfAny(const char* key, std::vector<Part>& parts, std::size_t most) {
+    if (!parts.empty()) list(key, parts, most);
   }
 
   /// To be called after the last field: the object, with its unknown keys.

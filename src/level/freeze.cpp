@@ -11,6 +11,7 @@ SculptureInputs sculptureInputs(const LevelScene& level) {
           level.original.unitize,
           level.original.placement,
           level.sculpture.depthScale,
+          level.sculpture.depthOffset,
           level.sculpture.mistakes};
 }
 
@@ -26,6 +27,7 @@ Level asMade(Level level) {
   level.original.unitize = inputs.unitize;
   level.original.placement = inputs.placement;
   level.sculpture.depthScale = inputs.depthScale;
+  level.sculpture.depthOffset = inputs.depthOffset;
   level.sculpture.mistakes = inputs.mistakes;
   return following(std::move(level));
 }

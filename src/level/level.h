@@ -90,13 +90,15 @@ struct SculptureInputs {
   bool unitize = false;  ///< this and the next of the original
   Placement placement;
   double depthScale = 1;
+  double depthOffset = 0;
   Mistakes mistakes;
   bool operator==(const SculptureInputs&) const = default;
 };
 
 struct SculptureSettings {
-  double depthScale = 1;               ///< k of the method, section 2
-  double tolerancePixels = 0.25;       ///< refinement (section 5); 0: off, the original's own vertices
+  double depthScale = 1;          ///< k of the method, section 2
+  double depthOffset = 0;         ///< how far S is from Q besides, scene units (method-optics, section 2)
+  double tolerancePixels = 0.25;  ///< refinement (section 5); 0: off, the original's own vertices
   std::size_t maxTriangles = 2000000;  ///< refinement stops here
   int imageSize = 512;                 ///< height in pixels of the image that the tolerance is meant for
   Mistakes mistakes;                   ///< of the thesis' published formulas, made on purpose

@@ -29,20 +29,69 @@ constexpr std::array opticKinds{"mirror", "none"};
 /// The keys of a shape.
 struct ShapeKeys : ShapeFields {
   std::vector<const char*> keys;
-  void point(const FieldName& name, Point&) override { keys.push_back(name.key); }
-  void length(const FieldName& name, double&) override { keys.push_back(name.key); }
-  void points(const FieldName& name, std::span<Point>) override { keys.push_back(name.key); }
+  void add(const FieldName& name) {
+    if (!name.mayBeAbsent) keys.push_back(name.key);
+  }
+  void point(const FieldName& name, Point&) override { add(name); }
+  void direction(const FieldName& name, Vector&) override { add(name); }
+  void angles(const FieldName& name, Vector&) override { add(name); }
+  void length(const FieldName& name, double&) override { add(name); }
+  void flag(const FieldName& name, bool&) override { add(name); }
+  void points(const FieldName& name, std::span<Point>) override { add(name); }
+  void lengths(const FieldName& name, std::span<double>) override { add(name); }
+  void radii(const FieldName& name, std::vector<double>&) override { add(name); }
+  void curve(const FieldName& name, std::vector<CurvePoint>&) override { add(name); }
+  void heights(const FieldName& name, HeightGrid&) override { add(name); }
+  void file(const FieldName& name, SurfaceFile&) override { add(name); }
 };
+
+template <typename At>
+void expectFileName(At& at, const char* key, const std::string& path) {
+  at.expect(!path.empty() && path.find('\0') == std::string::npos, key, "the name of a mesh file");
+  at.expect(path.size() <= limits::mostPathBytes, key, "a shorter name of a mesh file");
+}
+
+template <typename At>
+void fields(At& at, HalfSpace& half) {
+  at.need({"point", "normal"});
+  at.field("point", half.point, limits::coordinates);
+  at.field("normal", half.normal, limits::coordinates);
+  at.expect(glm::length(half.normal) >= limits::lengths.min, "normal", "a vector that is not 0");
+}
 
 template <typename At>
 struct ShapeInFile : ShapeFields {
   explicit ShapeInFile(At& file) : at(file) {}
   void point(const FieldName& name, Point& value) override { at.field(name.key, value, limits::coordinates); }
+  void direction(const FieldName& name, Vector& value) override {
+    at.field(name.key, value, limits::coordinates);
+    at.expect(glm::length(value) >= limits::lengths.min, name.key, "a vector that is not 0");
+  }
+  void angles(const FieldName& name, Vector& value) override { at.field(name.key, value, limits::degrees); }
   void length(const FieldName& name, double& value) override {
     at.field(name.key, value, name.mayBeZero ? limits::lengthsOrZero : limits::lengths);
   }
+  void flag(const FieldName& name, bool& value) override { at.field(name.key, value); }
   void points(const FieldName& name, std::span<Point> values) override {
     at.field(name.key, values, limits::coordinates);
+  }
+  void lengths(const FieldName& name, std::span<double> values) override {
+    at.field(name.key, values, limits::lengths);
+  }
+  void radii(const FieldName& name, std::vector<double>& values) override {
+    at.numbers(name.key, values, limits::lengths, limits::splinePoints);
+  }
+  void curve(const FieldName& name, std::vector<CurvePoint>& values) override {
+    at.curve(name.key, values, limits::coordinates, limits::splinePoints);
+  }
+  void heights(const FieldName& name, HeightGrid& values) override {
+    at.grid(name.key, values, limits::coordinates, limits::patchPoints);
+  }
+  void file(const FieldName& name, SurfaceFile& value) override {
+    const std::string before = value.path;
+    at.field(name.key, value.path);
+    expectFileName(at, name.key, value.path);
+    if (value.path != before) value = {value.path, nullptr, {}};
   }
   At& at;
 };
@@ -57,6 +106,9 @@ void fields(At& at, Shape& shape) {
   at.need(keys.keys);
   ShapeInFile<At> file(at);
   visitFields(shape, file);
+  std::vector<HalfSpace> clip = shape.clip();
+  at.listIfAny("clip", clip, limits::mostClips);
+  shape.clipBy(std::move(clip));
 }
 
 template <typename At>
@@ -154,9 +206,7 @@ template <typename At>
 void fields(At& at, FileShape& file) {
   at.need({"path"});
   at.field("path", file.path);
-  const bool isName = !file.path.empty() && file.path.find('\0') == std::string::npos;
-  at.expect(isName, "path", "the name of a mesh file");
-  at.expect(file.path.size() <= limits::mostPathBytes, "path", "a shorter name of a mesh file");
+  expectFileName(at, "path", file.path);
   std::string up = file.up == ModelUp::z ? "" : modelUpName(file.up);
   at.textOrNone("up", up, limits::mostTitleBytes);
   const auto axis = up.empty() ? ModelUp::z : findModelUp(up);
@@ -205,12 +255,14 @@ void fields(At& at, SculptureInputs& inputs) {
   at.field("unitize", inputs.unitize);
   at.object("placement", inputs.placement);
   at.field("depthScale", inputs.depthScale, limits::depthScale.level);
+  at.optional("depthOffset", inputs.depthOffset, 0, limits::depthOffset.level);
   at.object("mistakes", inputs.mistakes);
 }
 
 template <typename At>
 void fields(At& at, SculptureSettings& sculpture) {
   at.field("depthScale", sculpture.depthScale, limits::depthScale.level);
+  at.optional("depthOffset", sculpture.depthOffset, 0, limits::depthOffset.level);
   at.numberOrOff("tolerancePixels", sculpture.tolerancePixels, limits::tolerance.level);
   at.field("maxTriangles", sculpture.maxTriangles, limits::triangles);
   at.field("imageSize", sculpture.imageSize, limits::imageSize);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/error.h"
@@ -32,6 +33,23 @@ void fields(At& at, Header& header) {
   at.field("version", header.version, limits::formatVersion);
   at.expect(header.version <= levelVersion, "version",
             fmt::format("at most {} (this level was made by a newer Anamorph, please update)", levelVersion));
+}
+
+/// The first version that can say all of it.
+int versionOf(const Optic& optic, double depthOffset) {
+  int version = depthOffset == 0 ? 1 : 2;
+  for (const OpticPart& part : optic.parts) {
+    version =
+        std::max({version, shapeTypes()[shapeIndex(part.shape)].since, part.shape.clip().empty() ? 1 : 2});
+  }
+  return version;
+}
+
+int versionOf(const Level& level) {
+  const SculptureSettings& sculpture = level.sculpture;
+  const int version = versionOf(level.optic, sculpture.depthOffset);
+  if (!sculpture.frozen) return version;
+  return std::max(version, versionOf(sculpture.frozen->optic, sculpture.frozen->depthOffset));
 }
 
 Level readLevel(const JsonValue& document, FieldReader::Context& context) {
@@ -88,6 +106,7 @@ std::string formatLevel(const Level& level) {
   Level copy =
       level;  // reading and writing share the functions that list the fields, and those take a reference
   Header header;
+  header.version = versionOf(level);
   FieldWriter writer("", level.text->unknownKeys);
   fields(writer, header);
   fields(writer, copy);

@@ -17,7 +17,7 @@
 
 namespace anamorph {
 
-constexpr int levelVersion = 1;
+constexpr int levelVersion = 2;
 constexpr std::size_t maxLevelBytes = std::size_t{16} << 20;
 
 struct LoadedLevel {

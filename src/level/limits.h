@@ -35,6 +35,7 @@ namespace limits {
 constexpr Range coordinates{-1e6, 1e6};
 constexpr Range lengths{1e-6, 1e6};
 constexpr Range lengthsOrZero{0, lengths.max};  ///< of what may vanish
+constexpr Range degrees{-1e6, 1e6};             ///< of rotations
 constexpr Range fractions{0, 1};
 constexpr Range formatVersion{1, 1e6};  ///< of a level's file
 
@@ -45,6 +46,13 @@ constexpr Limit viewFieldOfView{{1, 170}, {10, 120}};
 constexpr Range poseFieldOfView{0.1, 175};  ///< that a pose is kept within, whatever was asked for
 constexpr Range gridCells{1, 64};           ///< each way
 constexpr Limit gridDistance{lengths, {0.1, 2}};
+
+// ---- The optic
+
+constexpr Range splinePoints{3,
+                             200};  ///< control values of a curve; a closed one needs three, an open one four
+constexpr Range patchPoints{4, 64};   ///< each way
+constexpr std::size_t mostClips = 8;  ///< planes that cut a mirror off
 
 // ---- Originals
 
@@ -63,6 +71,7 @@ constexpr std::size_t mostInsideBytes = 200'000;  ///< of a mesh that is inside 
 // ---- The sculpture
 
 constexpr Limit depthScale{{0.01, 100}, {0.01, 4}};
+constexpr Limit depthOffset{{0, 1e6}, {0, 100}};       ///< scene units
 constexpr Limit tolerance{{0.001, 1000}, {0.05, 10}};  ///< pixels
 constexpr Range imageSize{16, 16384};                  ///< that the tolerance is meant for
 constexpr Range triangles{1, 1e8};

@@ -33,9 +33,18 @@ constexpr std::array controls{
 struct ShapeRowNames : ShapeFields {
   explicit ShapeRowNames(std::vector<std::string>& all) : names(all) {}
   void point(const FieldName& name, Point&) override { names.emplace_back(name.label); }
+  void direction(const FieldName& name, Vector&) override { names.emplace_back(name.label); }
+  void angles(const FieldName& name, Vector&) override { names.emplace_back(name.label); }
   void length(const FieldName& name, double&) override { names.emplace_back(name.label); }
-  void points(const FieldName& name, std::span<Point> values) override {
-    for (std::size_t i = 1; i <= values.size(); ++i) {
+  void flag(const FieldName& name, bool&) override { names.emplace_back(name.label); }
+  void points(const FieldName& name, std::span<Point> values) override { addNumbered(name, values.size()); }
+  void lengths(const FieldName& name, std::span<double> values) override { addNumbered(name, values.size()); }
+  void radii(const FieldName& name, std::vector<double>&) override { names.emplace_back(name.label); }
+  void curve(const FieldName& name, std::vector<CurvePoint>&) override { names.emplace_back(name.label); }
+  void heights(const FieldName& name, HeightGrid&) override { names.emplace_back(name.label); }
+  void file(const FieldName& name, SurfaceFile&) override { names.emplace_back(name.label); }
+  void addNumbered(const FieldName& name, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i) {
       names.push_back(std::string(name.label) + " " + std::to_string(i));
     }
   }

@@ -34,6 +34,7 @@ constexpr double grazingSine = 0.017452406437283512;
 struct ExitBlock {
   Point eye;
   double depthScale;
+  double depthOffset;
   PointPointers<const double> targets;
   std::size_t count;  ///< at most exitBlockSize
   PointPointers<double> points;
@@ -59,13 +60,13 @@ struct BouncePoint {
 /// How many are plain. That no array overlaps another has to be said at the parameters of the very function that
 /// holds the loop; only what is forced inline gets the clone's instruction set, so a bounce is a struct with a
 /// forced operator().
-template <typename Bounce>
+template <bool hasOffset, typename Bounce>
 ANAMORPH_TARGET_CLONES std::size_t followArrays(const Bounce& sharedBounce, const Point& sharedEye,
-                                                double depthScale, const double* __restrict px,
-                                                const double* __restrict py, const double* __restrict pz,
-                                                std::size_t count, double* __restrict sx,
-                                                double* __restrict sy, double* __restrict sz,
-                                                std::int64_t* __restrict plain) {
+                                                double depthScale, double depthOffset,
+                                                const double* __restrict px, const double* __restrict py,
+                                                const double* __restrict pz, std::size_t count,
+                                                double* __restrict sx, double* __restrict sy,
+                                                double* __restrict sz, std::int64_t* __restrict plain) {
   constexpr double steepSquared = grazingSine * grazingSine * (1 + 1e-6);  // what is near it is not plain
   const Bounce bounce = sharedBounce;  // copies that nothing written below can change
   const Point eye = sharedEye;
@@ -75,7 +76,9 @@ ANAMORPH_TARGET_CLONES std::size_t followArrays(const Bounce& sharedBounce, cons
     const BouncePoint hit = bounce(eye, v);
     const double across = glm::dot(v, hit.normal);
     const Vector reflected = v - 2 * across * hit.normal;
-    const Point s = (eye + hit.t * v) + depthScale * (1 - hit.t) * reflected;
+    double length = depthScale * (1 - hit.t);
+    if constexpr (hasOffset) length = length + depthOffset / std::sqrt(glm::dot(v, v));
+    const Point s = (eye + hit.t * v) + length * reflected;
     sx[i] = s.x;
     sy[i] = s.y;
     sz[i] = s.z;
@@ -89,8 +92,9 @@ ANAMORPH_TARGET_CLONES std::size_t followArrays(const Bounce& sharedBounce, cons
 
 template <typename Bounce>
 std::size_t followBlock(const Bounce& bounce, const ExitBlock& b) {
-  return followArrays(bounce, b.eye, b.depthScale, b.targets.x, b.targets.y, b.targets.z, b.count, b.points.x,
-                      b.points.y, b.points.z, b.plain);
+  const auto follow = b.depthOffset == 0 ? followArrays<false, Bounce> : followArrays<true, Bounce>;
+  return follow(bounce, b.eye, b.depthScale, b.depthOffset, b.targets.x, b.targets.y, b.targets.z, b.count,
+                b.points.x, b.points.y, b.points.z, b.plain);
 }
 
 inline std::size_t followNone(const ExitBlock& b) {

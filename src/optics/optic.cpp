@@ -41,6 +41,11 @@ std::optional<OpticHit> nearestOf(const Optic& optic, const Ray& ray, double tMi
   return nearest;
 }
 
+// Where a normal is a mean of its neighbours', it may send a ray to the other side of its own flat piece.
+bool leavesIntoItsFacet(const SurfaceHit& hit, const Vector& before, const Vector& after) {
+  return hit.facet != Vector(0) && glm::dot(before, hit.facet) * glm::dot(after, hit.facet) >= 0;
+}
+
 }  // namespace
 
 bool isVisible(const Optic& optic) {
@@ -129,7 +134,11 @@ OpticPath followRay(const Optic& optic, const Ray& sent) {
     path.onward[i] = direction;
     path.bends |= bends;
     path.travelled += hit->t;
-    path.sine = std::min(path.sine, -glm::dot(hit->normal, ray.direction) / length);
+    const double before = std::abs(glm::dot(hit->normal, ray.direction)),
+                 after = std::abs(glm::dot(hit->normal, direction));
+    path.sine = leavesIntoItsFacet(*hit, ray.direction, direction)
+                    ? 0
+                    : std::min({path.sine, before / length, after / length});
     ray = path.exit = {hit->point, direction};
   }
   return path;
@@ -155,7 +164,9 @@ double freeLength(const Optic& optic, const OpticPath& path) {
 
 std::size_t exitPoints(const Optic& optic, const ExitBlock& block) {
   CHECK(block.count <= exitBlockSize);
-  const bool oneMirror = optic.parts.size() == 1 && optic.parts.front().kind == OpticKind::mirror;
+  const OpticPart& first = optic.parts.front();
+  const bool oneMirror =
+      optic.parts.size() == 1 && first.kind == OpticKind::mirror && first.shape.clip().empty();
   return oneMirror ? optic.shape()->exitPoints(block) : followNone(block);
 }
 

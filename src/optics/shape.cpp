@@ -4,28 +4,23 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/language.h"
+#include "optics/cut_mesh.h"
 
 namespace anamorph {
 namespace {
 
-// A grid of (columns + 1) x (rows + 1) points, point(u, v) with u and v in 0..1.
-template <typename PointAt>
-Mesh makeGrid(int columns, int rows, const PointAt& pointAt) {
-  Mesh mesh;
-  for (int j = 0; j <= rows; ++j) {
-    for (int i = 0; i <= columns; ++i) {
-      mesh.positions.push_back(pointAt(double(i) / columns, double(j) / rows));
-    }
-  }
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < columns; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (columns + 1) + i), b = a + 1;
-      const auto c = a + static_cast<std::uint32_t>(columns) + 1, d = c + 1;
-      mesh.triangles.push_back({a, b, d});
-      mesh.triangles.push_back({a, d, c});
-    }
-  }
-  return mesh;
+constexpr int cutSegments = 96;
+
+// A plane through three points stays one, whatever the map does with lengths; its side is told by a point of it.
+HalfSpace mapHalfSpace(const HalfSpace& half, const ShapeMap& map) {
+  const Direction n = glm::normalize(half.normal), x = perpendicular(n), y = glm::cross(n, x);
+  const Point origin = map.point(half.point);
+  const Vector normal = glm::cross(map.point(half.point + x) - origin, map.point(half.point + y) - origin);
+  const double length = glm::length(normal);
+  const Vector inside = map.point(half.point + n) - origin;
+  if (!(length > 0)) return {origin, half.normal};
+  return {origin, (glm::dot(normal, inside) < 0 ? -normal : normal) / length};
 }
 
 }  // namespace
@@ -43,15 +38,51 @@ double ShapeMap::strongest(std::initializer_list<double> factors) {
                            [](double a, double b) { return std::abs(a - 1) < std::abs(b - 1); });
 }
 
+Shape::Shape(std::shared_ptr<const AnyShape> any, std::vector<HalfSpace> clip) : any_(std::move(any)) {
+  clipBy(std::move(clip));
+}
+
 bool Shape::operator==(const Shape& other) const {
-  return any_ == other.any_ || any_->equals(*other.any_);
+  return clip() == other.clip() && (any_ == other.any_ || any_->equals(*other.any_));
+}
+
+const std::vector<HalfSpace>& Shape::clip() const {
+  static const std::vector<HalfSpace> none;
+  return cut_ ? cut_->planes : none;
+}
+
+void Shape::clipBy(std::vector<HalfSpace> clip) {
+  cut_ = clip.empty() ? nullptr : std::make_shared<const Cut>(std::move(clip));
+}
+
+const SmoothMesh& Shape::cutSurface() const {
+  CHECK(cut_);
+  return cut_->surface.get([this] { return cutMesh(any_->tessellate(cutSegments), cut_->planes); });
 }
 
 std::optional<SurfaceHit> intersect(const Shape& shape, const Ray& ray, double tMin) {
-  return shape->intersect(ray, tMin);
+  const auto keeps = [&](const Point& p) {
+    return std::all_of(shape.clip().begin(), shape.clip().end(),
+                       [&](const HalfSpace& half) { return half.contains(p); });
+  };
+  auto hit = shape->intersect(ray, tMin);
+  while (hit && !keeps(hit->point)) hit = shape->intersect(ray, hit->t);  // what is cut away lets it pass
+  return hit;
 }
+
+bool seesConvexSide(const Shape& shape, const Point& eye) {
+  return shape->seesConvexSide(eye);
+}
+
 std::optional<std::string> findShapeProblem(const Shape& shape) {
-  return shape->findProblem();
+  if (auto problem = shape->findProblem()) return problem;
+  for (const HalfSpace& half : shape.clip()) {
+    if (!(glm::length(half.normal) > 0)) return tr("expected a normal of clip that is not 0");
+  }
+  if (!shape.clip().empty() && shape.cutSurface().mesh.triangles.empty()) {
+    return tr("expected a clip that leaves some of the surface, got one that cuts all of it away");
+  }
+  return std::nullopt;
 }
 std::optional<std::string> findEyeProblem(const Shape& shape, const Point& eye) {
   return shape->findEyeProblem(eye);
@@ -63,58 +94,97 @@ const char* shapeName(const Shape& shape) {
   return shape->name();
 }
 Box boxOf(const Shape& shape) {
-  return shape->box();
+  return shape.clip().empty() ? shape->box() : boundingBox(shape.cutSurface().mesh.positions);
 }
 Point middleOf(const Shape& shape) {
-  return shape->middle();
+  return shape.clip().empty() || findShapeProblem(shape) ? shape->middle() : boxOf(shape).centre();
 }
 Axes axesOf(const Shape& shape) {
   return shape->axes();
 }
 bool isRound(const Shape& shape) {
-  return shape->isRound();
+  return shape->isRound() && shape.clip().empty();
 }
 
 ShapeExtent extentOf(const Shape& shape) {
-  if (!findShapeProblem(shape)) return shape->extent();
-  ShapeExtent extent;
-  const Point middle = middleOf(shape);
-  if (isFinite(middle)) extent.middle = middle;
-  return extent;
+  if (findShapeProblem(shape)) {
+    ShapeExtent extent;
+    if (const Point middle = middleOf(shape); isFinite(middle)) extent.middle = middle;
+    return extent;
+  }
+  if (shape.clip().empty()) return shape->extent();
+  const Box box = boxOf(shape);
+  return {box.centre(), {0, 0, 1}, std::max(box.size().x, box.size().y), box.size().z};
 }
 
 std::optional<double> circleFromAbove(const Shape& shape) {
-  return shape->circleFromAbove();
+  return shape.clip().empty() ? shape->circleFromAbove() : std::nullopt;
 }
+
 double borderDistance(const Shape& shape, const Point& point) {
-  return shape->borderDistance(point);
+  double nearest = shape->borderDistance(point);
+  if (shape.clip().empty()) return nearest;
+  const double size = boxOf(shape).diagonal();
+  for (const HalfSpace& half : shape.clip()) {
+    nearest = std::min(nearest, glm::dot(point - half.point, glm::normalize(half.normal)) / size);
+  }
+  return nearest;
 }
+
 Point pointAt(const Shape& shape, double u, double v) {
   return shape->pointAt(u, v);
 }
 
-Mesh tessellate(const Shape& shape, int segments) {
+SmoothMesh tessellate(const Shape& shape, int segments) {
   CHECK(segments >= 3);
-  const auto [columns, rows] = shape->gridFor(segments);
-  return makeGrid(columns, rows, [&](double u, double v) { return shape->pointAt(u, v); });
+  SmoothMesh whole = shape->tessellate(segments);
+  return shape.clip().empty() ? whole : cutMesh(whole, shape.clip());
+}
+
+const char* shaderOf(const Shape& shape) {
+  return shape->shader();
 }
 
 void visitFields(Shape& shape, ShapeFields& fields) {
   const auto copy = shape.any_->copy();
   copy->visitFields(fields);
-  shape.any_ = copy;
+  shape = Shape(copy, shape.clip());
 }
 
 Shape mapShape(const Shape& shape, const ShapeMap& map) {
   const auto copy = shape.any_->copy();
   copy->map(map);
-  return Shape(copy);
+  std::vector<HalfSpace> clip = shape.clip();
+  for (HalfSpace& half : clip) half = mapHalfSpace(half, map);
+  return Shape(copy, std::move(clip));
 }
 
 Shape continued(const Shape& shape) {
   const auto copy = shape.any_->copy();
   copy->carryOn();
-  return Shape(copy);
+  return Shape(copy, {});
+}
+
+SmoothMesh tessellateGrid(int columns, int rows, const std::function<Point(double, double)>& pointAt,
+                          const std::function<Direction(double, double)>& normalAt) {
+  SmoothMesh surface;
+  Mesh& mesh = surface.mesh;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i <= columns; ++i) {
+      const double u = double(i) / columns, v = double(j) / rows;
+      mesh.positions.push_back(pointAt(u, v));
+      if (normalAt) surface.normals.push_back(normalAt(u, v));
+    }
+  }
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * (columns + 1) + i), b = a + 1;
+      const auto c = a + static_cast<std::uint32_t>(columns) + 1, d = c + 1;
+      mesh.triangles.push_back({a, b, d});
+      mesh.triangles.push_back({a, d, c});
+    }
+  }
+  return surface;
 }
 
 }  // namespace anamorph

@@ -11,13 +11,16 @@ struct ShapeType {
   const char* name;   ///< in files: "plane"
   const char* label;  ///< in panels, English: "Plane"
   Shape standard;     ///< with its usual fields
+  int since;          ///< the version of the level format that knows it first
   /// One that fills a room, sound and seen from outside by the eye.
   Shape (*filling)(const ShapeExtent& room, const Point& eye);
 };
 
 template <typename S>
 ShapeType shapeType() {
-  return {S::name, S::label, Shape(S{}),
+  int since = 1;
+  if constexpr (requires { S::since; }) since = S::since;
+  return {S::name, S::label, Shape(S{}), since,
           [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }};
 }
 

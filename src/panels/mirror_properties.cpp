@@ -16,7 +16,7 @@ namespace anamorph {
 namespace {
 
 constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
-constexpr NumberRange lengths{limits::lengths, 0.01, "%.2f"};
+constexpr NumberRange lengthRange{limits::lengths, 0.01, "%.2f"};
 
 // Rows of a shape's fields; a panel has its sizes first and then its points.
 class ShapeRows : public ShapeFields {
@@ -26,15 +26,32 @@ class ShapeRows : public ShapeFields {
 
   void length(const FieldName& name, double& value) override {
     if (part_ != Part::sizes) return;
-    const NumberRange range =
-        name.mayBeZero ? NumberRange{limits::lengthsOrZero, lengths.speed, lengths.format} : lengths;
+    const NumberRange range = name.mayBeZero
+                                  ? NumberRange{limits::lengthsOrZero, lengthRange.speed, lengthRange.format}
+                                  : lengthRange;
     changed |= numberRow(name.label, value, range, name.help);
   }
+  void direction(const FieldName& name, Vector& value) override { point(name, value); }
+  void angles(const FieldName& name, Vector& value) override { point(name, value); }
+  void flag(const FieldName& name, bool& value) override {
+    if (part_ == Part::sizes) changed |= checkRow(name.label, value, name.help);
+  }
+  void lengths(const FieldName& name, std::span<double> values) override {
+    if (part_ != Part::sizes) return;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string label = fmt::format("{} {}", tr(name.label), i + 1);
+      changed |= numberRow(label.c_str(), values[i], lengthRange, name.help);
+    }
+  }
+  void radii(const FieldName&, std::vector<double>&) override {}
+  void curve(const FieldName&, std::vector<CurvePoint>&) override {}
+  void heights(const FieldName&, HeightGrid&) override {}
+  void file(const FieldName&, SurfaceFile&) override {}
   void distance(const FieldName& name, const Point& from, Point& to) override {
     if (part_ != Part::sizes) return;
     const double old = glm::length(to - from);
     double now = old;
-    if (!numberRow(name.label, now, lengths, name.help)) return;
+    if (!numberRow(name.label, now, lengthRange, name.help)) return;
     to = from + now * (old > 0 ? (to - from) / old : Vector(0, 0, 1));
     changed = true;
   }

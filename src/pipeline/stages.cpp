@@ -181,7 +181,7 @@ std::optional<std::string> frozenSentence(const LevelScene& level) {
 
 VertexMap makeVertexMap(const LevelScene& level) {
   const SculptureInputs inputs = sculptureInputs(level);
-  return {inputs.optic, inputs.camera.eye, inputs.depthScale, inputs.mistakes};
+  return {inputs.optic, inputs.camera.eye, inputs.depthScale, inputs.depthOffset, inputs.mistakes};
 }
 
 DeformInput makeDeformInput(const LevelScene& level, std::shared_ptr<const Mesh> source) {

@@ -155,7 +155,7 @@ TEST_F(ViewInput, EveryCellOfTheGridCanBePicked) {
 
 TEST_F(ViewInput, NothingIsShownOfASculptureThatCannotBe) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape()).positions).centre();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape()).mesh.positions).centre();
   editor.session.edit(level);
   finish();
   ASSERT_TRUE(editor.updater.result().problem);

@@ -49,9 +49,20 @@ inline const std::vector<Selection>& allSelections() {
 }
 
 /// The numbers of a shape.
-struct ShapeNumbers : ShapeFields {
+struct ShapeNumbers : SomeShapeFields {
   void point(const FieldName&, Point& value) override { allPoints.push_back(value); }
+  void direction(const FieldName&, Vector& value) override { allPoints.push_back(value); }
   void length(const FieldName&, double& value) override { allLengths.push_back(value); }
+  void lengths(const FieldName&, std::span<double> values) override {
+    allLengths.insert(allLengths.end(), values.begin(), values.end());
+  }
+  void radii(const FieldName& name, std::vector<double>& values) override { lengths(name, values); }
+  void curve(const FieldName&, std::vector<CurvePoint>& values) override {
+    for (const CurvePoint& p : values) allPoints.emplace_back(p.x, p.y, 0);
+  }
+  void heights(const FieldName&, HeightGrid& grid) override {
+    for (const double height : grid.heights) allPoints.emplace_back(0, 0, height);
+  }
   void points(const FieldName&, std::span<Point> values) override {
     allPoints.insert(allPoints.end(), values.begin(), values.end());
   }
@@ -94,7 +105,7 @@ inline double differenceOf(const Level& a, const Level& b) {
   for (const Point& p : {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), Point(0)}) {
     point(PlacementMap(a.original.placement)(p), PlacementMap(b.original.placement)(p));
   }
-  const Mesh m = tessellate(a.optic.shape(), 8), n = tessellate(b.optic.shape(), 8);
+  const Mesh m = tessellate(a.optic.shape(), 8).mesh, n = tessellate(b.optic.shape(), 8).mesh;
   const auto* tube = a.optic.shape().as<CylinderMirror>();
   if (tube) {  // its triangles may be turned about the axis
     const auto& other = shapeAs<CylinderMirror>(b.optic.shape());

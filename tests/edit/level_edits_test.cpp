@@ -247,7 +247,7 @@ TEST(BoxOf, HoldsTheThing) {
   forLevels([](const Level& level, const Selection& selection, Random&) {
     if (selection.part != Part::mirror) return;
     const Box box = boxOf(level, selection, {}, {}),
-              exact = boundingBox(tessellate(level.optic.shape(), 256).positions);
+              exact = boundingBox(tessellate(level.optic.shape(), 256).mesh.positions);
     EXPECT_LT(glm::length(box.min - exact.min) + glm::length(box.max - exact.max), 0.01);
   });
   EXPECT_TRUE(boxOf({}, {}, {}, {}).empty());

@@ -33,7 +33,8 @@ TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
         }
         EXPECT_EQ(findShapeProblem(made), std::nullopt);
         EXPECT_LT(glm::length(middleOf(made) - middleOf(old)), 1e-9);
-        const Box was = boundingBox(tessellate(old).positions), is = boundingBox(tessellate(made).positions);
+        const Box was = boundingBox(tessellate(old).mesh.positions),
+                  is = boundingBox(tessellate(made).mesh.positions);
         EXPECT_LE(is.diagonal(), 1.75 * was.diagonal());
         EXPECT_GE(is.diagonal(), 0.05 * was.diagonal());
         if (to != 0) {

@@ -109,11 +109,13 @@ TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
         targets.push_back(i % 4 ? makeRandomOriginal(scene, random, 0.5) : random.point(30));
       }
       const double depthScale = random.uniform(0.1, 3);
+      const double depthOffset = seed % 2 == 0 ? 0 : random.uniform(0, 10);
       PointArray points(targets.size());
       std::array<std::int64_t, exitBlockSize> plain;
       const std::size_t plainCount =
           exitPoints(scene.optic, {scene.eye,
                                    depthScale,
+                                   depthOffset,
                                    {targets.x.data(), targets.y.data(), targets.z.data()},
                                    targets.size(),
                                    {points.x.data(), points.y.data(), points.z.data()},
@@ -123,8 +125,9 @@ TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
       EXPECT_EQ(std::count(plain.begin(), plain.begin() + 100, 1), static_cast<long>(plainCount));
       for (std::size_t i = 0; i < targets.size(); ++i) {
         const OpticPath path = followRay(scene.optic, {scene.eye, targets[i] - scene.eye});
-        const double exitLength = depthScale * (1 - path.travelled);
         if (!plain[i]) continue;
+        double exitLength = depthScale * (1 - path.travelled);
+        if (depthOffset > 0) exitLength += depthOffset / glm::length(targets[i] - scene.eye);
         ASSERT_EQ(statusOf(scene.optic, path, exitLength), PathStatus::mapped);
         EXPECT_EQ(points[i], path.exit.at(exitLength));
       }

@@ -74,7 +74,7 @@ TEST(Shapes, TessellationLiesOnTheSurface) {
   Random random(1);
   for (const ShapeKind kind : allShapeKinds) {
     const RandomScene scene = makeRandomScene(kind, random);
-    const Mesh mesh = tessellate(scene.optic.shape(), 24);
+    const Mesh mesh = tessellate(scene.optic.shape(), 24).mesh;
     ASSERT_FALSE(mesh.triangles.empty());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const Point p = mesh.positions[i];

@@ -32,7 +32,7 @@ std::vector<Selection> selectionsOf(const Level& level) {
 // The eye in the middle of the mirror.
 void moveEyeIntoMirror(Editor& editor) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape()).positions).centre();
+  level.camera.eye = boundingBox(tessellate(level.optic.shape()).mesh.positions).centre();
   editor.session.edit(level);
 }
 

@@ -47,6 +47,14 @@ TEST(StepControls, AreThoseThatThePanelsDraw) {
   class Labels : public ShapeFields {
    public:
     void point(const FieldName& name, Point&) override { all.insert(name.label); }
+    void direction(const FieldName& name, Vector&) override { all.insert(name.label); }
+    void angles(const FieldName& name, Vector&) override { all.insert(name.label); }
+    void flag(const FieldName& name, bool&) override { all.insert(name.label); }
+    void lengths(const FieldName& name, std::span<double>) override { all.insert(name.label); }
+    void radii(const FieldName& name, std::vector<double>&) override { all.insert(name.label); }
+    void curve(const FieldName& name, std::vector<CurvePoint>&) override { all.insert(name.label); }
+    void heights(const FieldName& name, HeightGrid&) override { all.insert(name.label); }
+    void file(const FieldName& name, SurfaceFile&) override { all.insert(name.label); }
     void length(const FieldName& name, double&) override { all.insert(name.label); }
     void points(const FieldName& name, std::span<Point>) override { all.insert(name.label); }
     void distance(const FieldName& name, const Point&, Point&) override { all.insert(name.label); }

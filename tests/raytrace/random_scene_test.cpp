@@ -30,7 +30,7 @@ class RandomScene {
       return points[static_cast<std::size_t>(index(static_cast<int>(points.size())))];
     }
     if (choice == 1 && input.optic) {
-      const PointArray points = tessellate(input.optic->optic.shape()).positions;
+      const PointArray points = tessellate(input.optic->optic.shape()).mesh.positions;
       return points[static_cast<std::size_t>(index(static_cast<int>(points.size())))];
     }
     if (choice == 2 && !input.lights.empty()) return input.lights[0].position;

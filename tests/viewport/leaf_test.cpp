@@ -98,7 +98,7 @@ TEST_P(ShapeLeaf, SaysWhatTheShapeSays) {
   while (agreement.rays < rayCount) {
     const testing::RandomScene scene = makeRandomScene(leaf.kind, random);
     const Shape& shape = scene.optic.shape();
-    const Box box = boundingBox(tessellate(shape).positions);
+    const Box box = boundingBox(tessellate(shape).mesh.positions);
     const double size = box.diagonal();
     auto data = packed(shape);
     const Distance core = [&](const Ray& ray) -> std::optional<double> {
@@ -132,7 +132,7 @@ TEST_P(ShapeLeaf, ShinesAtItsBorder) {
     const testing::RandomScene scene = makeRandomScene(leaf.kind, random);
     auto data = packed(scene.optic.shape());
     const PointArray points =
-        tessellate(scene.optic.shape()).positions;  // those of plane and cylinder lie on it
+        tessellate(scene.optic.shape()).mesh.positions;  // those of plane and cylinder lie on it
     for (std::size_t p = 0; p < points.size(); ++p) {
       const float border = leaf.borderDistance(vec3(points[p]), data.data());
       EXPECT_NEAR(border, borderDistance(scene.optic.shape(), points[p]), 1e-4);
