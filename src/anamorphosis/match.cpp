@@ -240,6 +240,7 @@ Match computeMatch(const MatchInput& input, int threads, const Progress& progres
   if (progress.cancelled()) return {};
   Match match;
   match.report = summarize(pixels, input);
+  match.report.foldedShare = input.sculpture->folded.share;
   match.classes.reserve(pixels.size());
   for (const PixelResult& pixel : pixels) match.classes.push_back(pixel.kind);
   const auto classAt = [&](const Pixel& place) { return matcher.at(place).kind(); };

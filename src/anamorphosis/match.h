@@ -51,6 +51,7 @@ struct MatchReport {
   std::size_t originalPixels = 0;  ///< that the original covers
   double hiddenShare = 0;          ///< of the original's pixels
   double missedShare = 0;          ///< of the original's pixels
+  double foldedShare = 0;          ///< of what the eye sees of the original's mapped triangles (folds.h)
   double extraShare =
       0;  ///< pixels that show the sculpture more than 1 px beside the original, over its pixels
   /// Between the outlines of original and reflection (contour.h), to a quarter of a pixel; where something is hidden

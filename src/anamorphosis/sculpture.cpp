@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "anamorphosis/handedness.h"
 #include "anamorphosis/refine.h"
 
 namespace anamorph {
@@ -21,6 +20,14 @@ bool allMapped(const Triangle& t, const std::vector<PathStatus>& status) {
          status[t[2]] == PathStatus::mapped;
 }
 
+void noteFolds(const Folds& folds, Sculpture& sculpture) {
+  sculpture.folded = {folds.count, folds.share, folds.foci};
+}
+
+bool isFolded(const Folds& folds, std::size_t triangle) {
+  return !folds.folded.empty() && folds.folded[triangle];
+}
+
 Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   const Mesh& mesh = *input.original;
   MappedPoints mapped;
@@ -30,28 +37,32 @@ Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   sculpture.status = std::move(mapped.status);
   sculpture.original = mesh.positions;
   sculpture.source.resize(mesh.positions.size());
-  const bool reversed = reversesHandedness(input.map, mesh.positions, mesh.triangles, sculpture.status);
+  const Folds folds = findFolds(input.map, mesh.positions, mesh.triangles, sculpture.status, threads);
+  noteFolds(folds, sculpture);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     sculpture.source[triangle[0]] = {t, 0, 0};
     sculpture.source[triangle[1]] = {t, 1, 0};
     sculpture.source[triangle[2]] = {t, 0, 1};
-    if (allMapped(triangle, sculpture.status)) addTriangle(sculpture, triangle, t, reversed);
+    if (allMapped(triangle, sculpture.status) && !isFolded(folds, t)) {
+      addTriangle(sculpture, triangle, t, folds.reversed);
+    }
   }
   sculpture.originalStatus = countStatus(sculpture.status);
   return sculpture;
 }
 
 // Keeps the triangles that are mapped whole, and the vertices that they use.
-Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const VertexMap& map) {
-  const bool reversed =
-      reversesHandedness(map, refinement.original, refinement.triangles, refinement.mapped.status);
+Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const VertexMap& map, int threads) {
+  const Folds folds =
+      findFolds(map, refinement.original, refinement.triangles, refinement.mapped.status, threads);
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   Sculpture sculpture;
+  noteFolds(folds, sculpture);
   std::vector<std::uint32_t> newIndex(refinement.original.size(), unused);
   for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
     Triangle t = refinement.triangles[i];
-    if (!allMapped(t, refinement.mapped.status)) continue;
+    if (!allMapped(t, refinement.mapped.status) || isFolded(folds, i)) continue;
     for (std::uint32_t& corner : t) {
       std::uint32_t& index = newIndex[corner];
       if (index == unused) {
@@ -64,7 +75,7 @@ Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const 
       }
       corner = index;
     }
-    addTriangle(sculpture, t, welded.triangleOf[refinement.sourceTriangle[i]], reversed);
+    addTriangle(sculpture, t, welded.triangleOf[refinement.sourceTriangle[i]], folds.reversed);
   }
   sculpture.status.assign(sculpture.original.size(), PathStatus::mapped);
   sculpture.budgetHit = refinement.budgetHit;
@@ -79,7 +90,7 @@ Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& p
   const WeldedMesh welded = weldPositions(*input.original);
   const Refinement refinement = refine(welded.mesh, input, threads, progress);
   if (progress.cancelled()) return {};
-  Sculpture sculpture = collect(refinement, welded, input.map);
+  Sculpture sculpture = collect(refinement, welded, input.map, threads);
   MappedPoints own;
   mapPointsThrough(input.map, input.original->positions, own, threads);
   sculpture.originalStatus = countStatus(own.status);

@@ -32,7 +32,9 @@ VertexRay makeVertexRay(const VertexMap& map, const Point& original) {
   ray.sculpture = mapped.point;
   ray.status = mapped.status;
   ray.bends = path.bends;
-  ray.distance = std::abs(1 - path.travelled) * length;
+  const double rest = (1 - path.travelled) * length;  // before a canvas it is negative
+  ray.distance = std::abs(rest);
+  ray.reach = std::abs(map.depthOffset + map.depthScale * rest);
   for (std::size_t i = 0; i < static_cast<std::size_t>(path.pointCount); ++i) {
     ray.legs.push_back({path.points[i], path.normals[i], glm::normalize(path.onward[i])});
   }
@@ -41,6 +43,7 @@ VertexRay makeVertexRay(const VertexMap& map, const Point& original) {
     ray.legs.back().normal = published.normal;
     ray.legs.back().direction = published.reflected;
     ray.distance = published.distance;
+    ray.reach = map.depthOffset + map.depthScale * ray.distance;
   }
   Direction incoming = towards / length;
   for (VertexLeg& leg : ray.legs) {

@@ -4,8 +4,8 @@
 //         P (behind the mirror)          S = Q + d R,   d = k |P - Q|
 //          \   d/k
 //     ------Q-------- mirror             The depth scale k only says how far out the sculpture reaches:
-//          / \ d                         any d > 0 is seen at the same place of the image (fact F1).
-//         E   S
+//          / \ d                         any d > 0 is seen at the same place of the image (fact F1). An offset
+//         E   S                          may be added to it, to come beyond a focus.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,8 @@ struct VertexRay {
   bool bends = false;           ///< whether the optic changes its direction
   Point sculpture{0};           ///< S, undefined unless mapped
   PathStatus status = PathStatus::missesMirror;
-  double distance = 0;  ///< |P - Q| for the last Q; S is depthScale times as far from it
+  double distance = 0;  ///< |P - Q|; beyond several points the rest of the way (method-optics section 2)
+  double reach = 0;     ///< offset + k distance: how far S is from the last Q
 
   bool meets() const { return !legs.empty(); }
   bool mapped() const { return status == PathStatus::mapped; }

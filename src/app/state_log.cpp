@@ -73,6 +73,7 @@ std::string stateLine(Gui& gui, std::size_t frame, const InputCounts& seen, bool
                          .add("target", level.camera.target)
                          .add("original", level.original.placement.position)
                          .add("depthScale", level.sculpture.depthScale)
+                         .add("depthOffset", level.sculpture.depthOffset)
                          .add("frozen", level.sculpture.frozen.has_value())
                          .add("modified", editor.session.modified())
                          .add("changing", editor.session.changing())

@@ -47,15 +47,17 @@ std::shared_ptr<const Mesh> replaceOriginal(const InputOptions& options, const C
 // Of what a frozen sculpture is made from nothing is changed.
 void checkFrozen(const InputOptions& options, const std::string& path) {
   const bool turns = !options.modelUp.empty() && options.model.empty();
-  if (!options.depthScale && !options.unitize && !turns) return;
+  if (!options.depthScale && !options.depthOffset && !options.unitize && !turns) return;
   throw UsageError(fmt::format("{}: its sculpture is frozen, and {} would change it", path,
-                               options.depthScale ? "--depth-scale"
-                               : options.unitize  ? "--unitize"
-                                                  : "--model-up"));
+                               options.depthScale    ? "--depth-scale"
+                               : options.depthOffset ? "--depth-offset"
+                               : options.unitize     ? "--unitize"
+                                                     : "--model-up"));
 }
 
 void applyOptions(const InputOptions& options, Level& level) {
   if (options.depthScale) level.sculpture.depthScale = *options.depthScale;
+  if (options.depthOffset) level.sculpture.depthOffset = *options.depthOffset;
   if (options.tolerancePixels) level.sculpture.tolerancePixels = *options.tolerancePixels;
   if (options.fovDegrees) level.camera.fovDegrees = *options.fovDegrees;
   if (options.up == "y") level.camera.up = {0, 1, 0};
@@ -71,8 +73,14 @@ void addInputOptions(CLI::App& command, InputOptions& options) {
       ->required();
   command.add_option("MODEL", options.model,
                      "An OBJ, STL or PLY mesh, or -, that takes the place of the original");
-  command.add_option("--depth-scale", options.depthScale, "How far the sculpture reaches: d = k |P - Q|")
+  command
+      .add_option("--depth-scale", options.depthScale,
+                  "How far the sculpture reaches: d = offset + k |P - Q|")
       ->check(numberIn(limits::depthScale.level));
+  command
+      .add_option("--depth-offset", options.depthOffset,
+                  "How far it is from the mirror besides, in scene units (beyond a focus)")
+      ->check(numberIn(limits::depthOffset.level));
   command
       .add_option("--tolerance", options.tolerancePixels,
                   "Refine until edges are this straight, in pixels; off: the original's own vertices")

@@ -21,7 +21,7 @@ namespace anamorph {
 struct InputOptions {
   std::string file;
   std::string model;
-  std::optional<double> depthScale;
+  std::optional<double> depthScale, depthOffset;
   std::optional<double> tolerancePixels;  ///< 0 is "off"
   std::optional<double> fovDegrees;
   std::string up;       ///< the camera's

@@ -32,6 +32,7 @@ void printReport(const MatchReport& report, const StatusCounts& counts) {
   line("triangle agreement", fmt::format("{:.5f}", report.triangleAgreement));
   line("hidden share", fmt::format("{:.5f}", report.hiddenShare));
   line("missed share", fmt::format("{:.5f}", report.missedShare));
+  line("folded share", fmt::format("{:.5f}", report.foldedShare));
   line("extra share", fmt::format("{:.5f}", report.extraShare));
   line("status", statusSentence(counts));
 }

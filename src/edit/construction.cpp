@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "anamorphosis/ray_bundle.h"
 #include "base/language.h"
 #include "pipeline/stages.h"
 
@@ -14,6 +15,7 @@ namespace {
 using Kind = ConstructionSegment::Kind;
 
 constexpr int arcSegments = 24;
+constexpr double farthestFocus = 3;  // |QS|: others are no danger to the sculpture
 
 std::string pointText(const Point& p) {
   return shownFormat("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
@@ -49,6 +51,11 @@ double normalLength(double toEye, double reach) {
   return std::max(std::min(0.3 * toEye, 0.8 * reach), 0.08 * toEye);
 }
 
+const char* reachName(const VertexMap& map) {
+  if (map.depthOffset != 0) return "d₀ + k·d";
+  return map.depthScale == 1 ? "d" : "k·d";
+}
+
 // How far a reflected ray goes that meets the mirror again.
 double freeWay(const VertexMap& map, const VertexRay& ray, double wanted) {
   const Vector towards = ray.original - ray.eye;
@@ -64,9 +71,7 @@ bool anglesAreEqual(const VertexLeg& leg) {
 void addReflection(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
   const VertexLeg& last = ray.legs.back();
-  const double depthScale = map.depthScale;
-  const double reach =
-      ray.mapped() ? depthScale * ray.distance : freeWay(map, ray, depthScale * ray.distance);
+  const double reach = ray.mapped() ? ray.reach : freeWay(map, ray, ray.reach);
   const Point end = ray.mapped() ? ray.sculpture : last.start + reach * last.direction;
   made.segments.push_back({last.start, ray.original, Kind::virtualRay});
   for (std::size_t i = 0; i < ray.legs.size(); ++i) {
@@ -76,8 +81,23 @@ void addReflection(Construction& made, const VertexMap& map) {
   made.distances.push_back({0.5 * (last.start + ray.original), shownFormat("d = {:.2f}", ray.distance)});
   if (!ray.mapped()) return;
   made.points.push_back({ray.sculpture, "S"});
-  made.distances.push_back(
-      {0.5 * (last.start + end), shownFormat("{} = {:.2f}", depthScale == 1 ? "d" : "k·d", reach)});
+  made.distances.push_back({0.5 * (last.start + end), shownFormat("{} = {:.2f}", reachName(map), reach)});
+}
+
+// Where neighbouring rays cross, on the way to S or a little beyond.
+void addFoci(Construction& made, const VertexMap& map) {
+  const VertexRay& ray = made.ray;
+  if (map.mistakes.any() || !ray.mapped()) return;
+  const auto bundle = bundleAround(map, ray.original);
+  const std::vector<double> foci = bundle ? bundle->foci() : std::vector<double>();
+  std::string distances;
+  for (const double focus : foci) {
+    if (focus > farthestFocus * ray.reach) continue;
+    const VertexLeg& last = ray.legs.back();
+    made.points.push_back({last.start + focus * last.direction, "F"});
+    distances += (distances.empty() ? "" : ", ") + shownFormat("{:.3f}", focus);
+  }
+  if (!distances.empty()) made.rows.push_back({"|QF|  rays cross", distances});
 }
 
 // Q with N and both angles; `from` is where the ray came from.
@@ -97,7 +117,7 @@ void addMirrorPoint(Construction& made, const VertexLeg& leg, const Point& from,
 void addMirrorPoints(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
   const double toEye = glm::length(ray.eye - ray.legs.front().start);
-  const double length = normalLength(toEye, map.depthScale * ray.distance);
+  const double length = normalLength(toEye, ray.reach);
   made.segments.push_back({ray.eye, ray.legs.front().start, Kind::incident});
   Point from = ray.eye;
   for (const VertexLeg& leg : ray.legs) {
@@ -108,7 +128,7 @@ void addMirrorPoints(Construction& made, const VertexMap& map) {
 }
 
 // The one line of sight, as far as something lies on it.
-void addSight(Construction& made, double depthScale) {
+void addSight(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
   const Point canvas = ray.legs.back().start;
   Point far = ray.original;
@@ -122,20 +142,24 @@ void addSight(Construction& made, double depthScale) {
   made.points.push_back({ray.sculpture, "S"});
   made.segments.push_back({canvas, ray.sculpture, Kind::reflected});
   made.distances.push_back(
-      {0.5 * (canvas + ray.sculpture), shownFormat("k·d = {:.2f}", depthScale * ray.distance)});
+      {0.5 * (canvas + ray.sculpture),
+       shownFormat("{} = {:.2f}", map.depthOffset == 0 ? "k·d" : reachName(map), ray.reach)});
 }
 
-void addSightRows(Construction& made, double depthScale) {
+void addSightRows(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
   made.rows = {{"E  eye", pointText(ray.eye)},
                {"P  original vertex", pointText(ray.original)},
                {"Q  on the canvas", pointText(ray.legs.back().start)},
                {"d = |PQ|", shownFormat("{:.3f}", ray.distance)},
-               {"k  depth scale", shownFormat("{:.3f}", depthScale)}};
-  if (ray.mapped()) made.rows.push_back({"S = Q + k (P − Q)", pointText(ray.sculpture)});
+               {"k  depth scale", shownFormat("{:.3f}", map.depthScale)}};
+  const bool offset = map.depthOffset != 0;
+  if (offset) made.rows.push_back({"d₀  depth offset", shownFormat("{:.3f}", map.depthOffset)});
+  if (!ray.mapped()) return;
+  made.rows.push_back({offset ? "S = Q + k (P − Q) + d₀ R" : "S = Q + k (P − Q)", pointText(ray.sculpture)});
 }
 
-void addRows(Construction& made, double depthScale) {
+void addRows(Construction& made, const VertexMap& map) {
   const VertexRay& ray = made.ray;
   const auto add = [&](const char* name, std::string value) {
     made.rows.push_back({name, std::move(value)});
@@ -157,11 +181,13 @@ void addRows(Construction& made, double depthScale) {
   }
   if (ray.meets() && ray.status != PathStatus::inFrontOfMirror) {
     addLength("d = |PQ|", ray.distance);
-    addLength("k  depth scale", depthScale);
+    addLength("k  depth scale", map.depthScale);
+    if (map.depthOffset != 0) addLength("d₀  depth offset", map.depthOffset);
   }
   if (ray.mapped()) {
-    addLength("k·d = |QS|", depthScale * ray.distance);
-    add("S = Q + k·d R", pointText(ray.sculpture));
+    const bool offset = map.depthOffset != 0;
+    addLength(offset ? "d₀ + k·d = |QS|" : "k·d = |QS|", ray.reach);
+    add(offset ? "S = Q + (d₀ + k·d) R" : "S = Q + k·d R", pointText(ray.sculpture));
   }
 }
 
@@ -180,15 +206,16 @@ Construction makeConstruction(const VertexMap& map, const Point& original) {
   if (!isDrawable(made.ray)) made.ray.legs.clear();
   made.points = {{map.eye, "E"}, {original, "P"}};
   if (made.ray.meets() && !made.ray.bends) {
-    addSight(made, map.depthScale);
-    addSightRows(made, map.depthScale);
+    addSight(made, map);
+    addSightRows(made, map);
   } else {
     if (made.ray.meets()) {
       addMirrorPoints(made, map);
     } else {
       made.segments.push_back({map.eye, original, Kind::incident});
     }
-    addRows(made, map.depthScale);
+    addRows(made, map);
+    addFoci(made, map);
   }
   if (!made.ray.mapped()) {
     made.explanation = explainStatus(made.ray.status) + std::string(".");

@@ -108,6 +108,9 @@ std::string figuresTable(const MatchReport& report) {
               "of the original's pixels: the sculpture itself, the floor or a base plate stands in the way");
   text += row("missed share", shownFormat("{:.5f}", report.missedShare), atMost(best.missedShare),
               "of the original's pixels: there is no mirror");
+  text += row(
+      "folded share", shownFormat("{:.5f}", report.foldedShare), "",
+      "of the original: rays have crossed before they reach this part of the sculpture, so it is left out");
   text += row("extra share", shownFormat("{:.5f}", report.extraShare), atMost(best.extraShare),
               "pixels that show the sculpture beside the original, over the original's pixels");
   return text + "</table>\n";
@@ -117,11 +120,12 @@ std::string levelSentence(const LevelResult& finished) {
   const Level& level = finished.level;
   const Sculpture& sculpture = *finished.sculpture.sculpture;
   const Point& eye = level.camera.eye;
+  const SculptureInputs inputs = sculptureInputs(level);
   return trFormat(
-      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}; the sculpture has {} "
+      "A {} {}, seen from the eye at ({:g}, {:g}, {:g}); depth scale {:g}, offset {:g}; the sculpture has {} "
       "triangles; {}.",
       tr(shapeName(level.optic.shape())), tr(surfaceName(level.optic)), eye.x, eye.y, eye.z,
-      sculptureInputs(level).depthScale, sculpture.mesh.triangles.size(),
+      inputs.depthScale, inputs.depthOffset, sculpture.mesh.triangles.size(),
       shownStatus(sculpture.originalStatus));
 }
 
@@ -151,6 +155,7 @@ JsonValue matchJson(const MatchReport& report, const StatusCounts& counts) {
       .add("triangleAgreement", report.triangleAgreement)
       .add("hiddenShare", report.hiddenShare)
       .add("missedShare", report.missedShare)
+      .add("foldedShare", report.foldedShare)
       .add("extraShare", report.extraShare)
       .add("grade", std::string(matchGradeName(gradeOf(report))))
       .add("status", statusJson(counts))

@@ -76,6 +76,10 @@ MatchScore matchScore(const LevelResult& result) {
        "original."},
       {"Missed", shownFormat("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
        "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
+      {"Folded", shownFormat("{:.1f} %", 100 * report.foldedShare), report.foldedShare == 0,
+       "Of the original: neighbouring rays have crossed before they reach this part of the sculpture, so it "
+       "is left "
+       "out. Stay nearer to the mirror, or go beyond with the depth offset."},
       {"Beside", shownFormat("{:.1f} %", 100 * report.extraShare), report.extraShare <= good.extraShare,
        "Pixels that show the sculpture beside the original, over the original's pixels."},
   };

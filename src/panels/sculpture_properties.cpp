@@ -37,9 +37,15 @@ bool deformationRows(SculptureSettings& sculpture) {
   bool changed = sliderRow(
       "Depth scale k", depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
       "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
+  double& depthOffset = frozen ? sculpture.frozen->depthOffset : sculpture.depthOffset;
+  const bool moved =
+      sliderRow("Depth offset", depthOffset, {limits::depthOffset.panel, 0.02, "%.2f"},
+                "So much farther from the mirror, along the reflected rays: beyond the place where the "
+                "rays of a hollow mirror cross.");
   ImGui::EndDisabled();
   // The one value that is a case of its own is met by a drag; what is typed stays as it was typed.
   if (changed && ImGui::IsMouseDown(0) && std::abs(std::log(depthScale)) < 0.04) depthScale = 1;
+  changed |= moved;
   bool refine = sculpture.tolerancePixels > 0;
   if (checkRow("Refine", refine,
                "Split the triangles until their edges are straight in the mirror. Off: the original's own "

@@ -83,6 +83,22 @@ std::string statusIn(const std::string& mapped, const StatusCounts& counts,
   return rest.empty() ? mapped : mapped + " (" + rest + ")";
 }
 
+// What was left out because the rays had crossed, and the two ways out.
+std::optional<std::string> foldSentence(const LeftOutFolds& folded) {
+  if (folded.triangles == 0) return std::nullopt;
+  const std::string share = shownFormat("{:.2g} %", 100 * folded.share);
+  const FocusRange& foci = folded.foci;
+  if (foci.none()) return trFormat("{} of the sculpture is folded and left out", share);
+  const std::string where = foci.farthest > 1.05 * foci.nearest
+                                ? trFormat("between {:.3g} and {:.3g}", foci.nearest, foci.farthest)
+                                : shownFormat("{:.3g}", foci.nearest);
+  return trFormat(
+      "{} of the sculpture is folded and left out: its rays cross {} before the mirror; stay nearer than "
+      "that with a "
+      "smaller depth scale, or go beyond with the depth offset",
+      share, where);
+}
+
 }  // namespace
 
 const char* explainStatus(PathStatus status) {
@@ -161,6 +177,7 @@ std::vector<std::string> findWarnings(const LevelScene& level, const PreparedScu
                  "off; raise maxTriangles in the level, or the tolerance",
                  level.sculpture.maxTriangles, sculpture.remainingErrorPixels));
   }
+  if (const auto folds = foldSentence(sculpture.folded)) warnings.push_back(*folds);
   const double lowest = prepared.prepared.box.min.z;
   if (level.ground.visible && lowest < level.ground.height - 1e-9) {
     warnings.push_back(

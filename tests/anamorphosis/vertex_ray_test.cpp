@@ -19,8 +19,8 @@ TEST(VertexRay, HasALegForEveryPart) {
     const VertexRay ray = makeVertexRay(map, p);
     ASSERT_TRUE(ray.mapped());
     ASSERT_EQ(ray.legs.size(), 2u);
-    EXPECT_LT(glm::length(ray.legs[0].start + glm::length(ray.legs[1].start - ray.legs[0].start) *
-                                                  ray.legs[0].direction -
+    EXPECT_LT(glm::length(ray.legs[0].start +
+                          glm::length(ray.legs[1].start - ray.legs[0].start) * ray.legs[0].direction -
                           ray.legs[1].start),
               1e-12);
     for (const VertexLeg& leg : ray.legs) EXPECT_NEAR(leg.angleInDegrees, leg.angleOutDegrees, 1e-5);

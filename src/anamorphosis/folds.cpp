@@ -1,0 +1,123 @@
+#include "anamorphosis/folds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "anamorphosis/ray_bundle.h"
+#include "base/parallel_for.h"
+
+namespace anamorph {
+namespace {
+
+constexpr std::size_t enough = 64;  // triangles that tell which way round a sculpture is
+
+class FoldFinder {
+ public:
+  FoldFinder(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
+             const std::vector<PathStatus>& status)
+      : map_(map), original_(original), triangles_(triangles), status_(status) {}
+
+  bool mapped(const Triangle& t) const {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return status_[v] == PathStatus::mapped; });
+  }
+
+  // By some of the triangles, evenly over the list first; where little is mapped, one after the other.
+  bool isReversed() const {
+    double balance = 0;
+    std::size_t asked = 0;
+    for (const std::size_t stride : {std::max<std::size_t>(1, triangles_.size() / enough), std::size_t{1}}) {
+      for (std::size_t i = 0; i < triangles_.size() && asked < enough; i += stride) {
+        if (!mapped(triangles_[i])) continue;
+        balance += weigh(bundleOf(triangles_[i]));
+        ++asked;
+      }
+      if (asked > 0) break;
+    }
+    return balance < 0;
+  }
+
+  Folds find(int threads) {
+    followAll(threads);
+    std::vector<double> weights(triangles_.size(), 0);
+    parallelFor(weights.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (mapped(triangles_[i])) weights[i] = weigh(bundleOf(triangles_[i]));
+      }
+    });
+    Folds folds;
+    double same = 0, reversed = 0;
+    for (const double weight : weights) (weight < 0 ? reversed : same) += std::abs(weight);
+    folds.reversed = reversed > same;
+    const double folded = std::min(same, reversed);
+    if (!(folded > 0)) return folds;
+    folds.share = folded / (same + reversed);
+    folds.folded.assign(triangles_.size(), 0);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (weights[i] == 0 || (weights[i] < 0) == folds.reversed) continue;
+      folds.folded[i] = 1;
+      ++folds.count;
+      note(bundleOf(triangles_[i])->foci(), folds.foci);
+    }
+    return folds;
+  }
+
+ private:
+  void followAll(int threads) {
+    rays_.resize(original_.size());
+    parallelFor(rays_.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (status_[i] == PathStatus::mapped) rays_[i] = exitRayTowards(map_, original_[i]);
+      }
+    });
+  }
+
+  std::optional<RayBundle> bundleOf(const Triangle& triangle) const {
+    std::array<ExitRay, 3> rays;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto ray = rays_.empty() ? exitRayTowards(map_, original_[triangle[i]]) : rays_[triangle[i]];
+      if (!ray) return std::nullopt;
+      rays[i] = *ray;
+    }
+    return RayBundle(rays);
+  }
+
+  // As large as the triangle seems from the eye; negative where its bundle is turned around at the corners' mean distance.
+  // 0 when it is seen edge-on.
+  static double weigh(const std::optional<RayBundle>& bundle) {
+    if (!bundle || bundle->edgeOn()) return 0;
+    const double spread = bundle->spread(bundle->distance()), size = std::abs(bundle->sizeAtEye());
+    return spread > 0 ? size : spread < 0 ? -size : 0;
+  }
+
+  static void note(const std::vector<double>& foci, FocusRange& range) {
+    if (foci.empty()) return;
+    range.nearest = range.none() ? foci.front() : std::min(range.nearest, foci.front());
+    range.farthest = std::max(range.farthest, foci.back());
+  }
+
+  const VertexMap& map_;
+  const PointArray& original_;
+  const std::vector<Triangle>& triangles_;
+  const std::vector<PathStatus>& status_;
+  std::vector<std::optional<ExitRay>>
+      rays_;  // of every vertex; empty: they are followed when they are asked for
+};
+
+// With the published mistakes there is no telling where rays cross.
+bool hasNoFolds(const VertexMap& map) {
+  return map.mistakes.any() || (map.optic.parts.size() == 1 && seesConvexSide(map.optic.shape(), map.eye));
+}
+
+}  // namespace
+
+Folds findFolds(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
+                const std::vector<PathStatus>& status, int threads) {
+  FoldFinder finder(map, original, triangles, status);
+  if (!hasNoFolds(map)) return finder.find(threads);
+  Folds none;
+  none.reversed = finder.isReversed();
+  return none;
+}
+
+}  // namespace anamorph
