@@ -13,6 +13,8 @@ void dropStaleSelection(Editor& editor) {
   const int lights = static_cast<int>(level.lights.size());
   const Selection& selected = editor.selection;
   if (selected.part == Part::light && (selected.index < 0 || selected.index >= lights)) editor.selection = {};
+  if (selected.part == Part::controlPoint && !controlPointOf(editor.session.level(), selected))
+    editor.selection = {};
   const bool inGrid =
       editor.cell && editor.cell->column < level.grid.columns && editor.cell->row < level.grid.rows;
   if (!inGrid) editor.cell.reset();

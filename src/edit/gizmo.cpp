@@ -213,6 +213,25 @@ Gizmo makeGizmo(const ViewProjection& projection, const GizmoFrame& frame, Gizmo
   return std::move(maker.gizmo);
 }
 
+Gizmo restricted(Gizmo gizmo, int freedom) {
+  const auto isFree = [&](GizmoHandle handle) {
+    switch (handle) {
+      case GizmoHandle::x:
+        return freedom >= 1;
+      case GizmoHandle::y:
+      case GizmoHandle::xy:
+        return freedom >= 2;
+      default:
+        return freedom >= 3;
+    }
+  };
+  auto& shapes = gizmo.shapes;
+  shapes.erase(std::remove_if(shapes.begin(), shapes.end(),
+                              [&](const GizmoShape& shape) { return !isFree(shape.handle); }),
+               shapes.end());
+  return gizmo;
+}
+
 GizmoHandle pickHandle(const Gizmo& gizmo, const Pixel& pixel) {
   GizmoHandle picked = GizmoHandle::none;
   std::tuple<bool, double, double> best;

@@ -58,6 +58,9 @@ struct Gizmo {
 Gizmo makeGizmo(const ViewProjection& projection, const GizmoFrame& frame, GizmoMode mode, double uiScale,
                 bool uniformOnly = false);
 
+/// Without the handles for what cannot be moved: only the first `freedom` axes are free.
+Gizmo restricted(Gizmo gizmo, int freedom);
+
 /// The handle within 7 pixels (at 100 %) of the mouse: the nearest one, parts in front before those behind.
 GizmoHandle pickHandle(const Gizmo& gizmo, const Pixel& pixel);
 

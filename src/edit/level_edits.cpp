@@ -49,6 +49,7 @@ Axes ownAxes(const Level& level, const Selection& selection) {
   Axes axes = sceneAxes;
   if (selection.part == Part::eye || selection.part == Part::aim) axes = axesOf(level.camera);
   if (selection.part == Part::mirror) axes = axesOf(level.optic.shape());
+  if (const auto control = controlPointOf(level, selection)) axes = control->axes;
   if (selection.part == Part::original) {
     const glm::dmat3 m = rotationMatrix(level.original.placement.rotationDegrees);
     axes = {m[0], m[1], m[2]};
@@ -79,6 +80,8 @@ Point originOf(const Level& level, const Selection& selection, const Box& origin
       return middleOf(level.optic.shape());
     case Part::sculpture:
       return sculptureBox.centre();
+    case Part::controlPoint:
+      return controlPointOf(level, selection).value_or(ControlPoint{}).at;
     case Part::light:
       return level.lights[static_cast<std::size_t>(selection.index)].position;
   }
@@ -91,6 +94,7 @@ void changePoints(Level& level, const Selection& selection, const Change& change
   switch (selection.part) {
     case Part::none:
     case Part::sculpture:
+    case Part::controlPoint:  // see moved()
       return;
     case Part::eye:
       return change(level.camera.eye);
@@ -117,6 +121,13 @@ Point clampedPoint(const Point& point) {
   return glm::clamp(point, Point(-maxCoordinate), Point(maxCoordinate));
 }
 
+std::optional<ControlPoint> controlPointOf(const Level& level, const Selection& selection) {
+  if (selection.part != Part::controlPoint || selection.index < 0) return std::nullopt;
+  const std::vector<ControlPoint> all = controlPointsOf(level.optic.shape());
+  const auto number = static_cast<std::size_t>(selection.index);
+  return number < all.size() ? std::optional(all[number]) : std::nullopt;
+}
+
 bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
   switch (selection.part) {
     case Part::none:
@@ -131,6 +142,8 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
       return mode != GizmoMode::rotate || !isRound(level.optic.shape());
     case Part::sculpture:
       return mode == GizmoMode::scale && !level.sculpture.frozen;
+    case Part::controlPoint:
+      return mode == GizmoMode::move && controlPointOf(level, selection);
     case Part::light:
       return mode == GizmoMode::move && isLight(level, selection);
   }
@@ -149,7 +162,8 @@ std::optional<GizmoFrame> frameOf(const Level& level, const Selection& selection
   GizmoFrame frame;
   frame.origin = originOf(level, selection, originalBox, sculptureBox);
   if (!isFinite(frame.origin)) return std::nullopt;
-  if (local || mode == GizmoMode::scale) frame.axes = ownAxes(level, selection);
+  if (local || mode == GizmoMode::scale || selection.part == Part::controlPoint)
+    frame.axes = ownAxes(level, selection);
   return frame;
 }
 
@@ -168,6 +182,12 @@ Box boxOf(const Level& level, const Selection& selection, const Box& originalBox
 Level moved(const Level& level, const Selection& selection, const Vector& vector) {
   Level result = level;
   if (!allows(level, selection, GizmoMode::move) || !isFinite(vector) || vector == Vector(0)) return result;
+  if (const auto control = controlPointOf(level, selection)) {
+    const Vector motion = clampedPoint(control->at + vector) - control->at;
+    result.optic.shape() =
+        withControlPointMoved(level.optic.shape(), static_cast<std::size_t>(selection.index), motion);
+    return result;
+  }
   Box box;
   changePoints(result, selection, [&](const Point& p) { box.extend(p); });
   // All points by the same vector, so that nothing is bent where coordinates end.

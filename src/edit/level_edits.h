@@ -6,6 +6,7 @@
 //   aim      x      -                      -
 //   original x      x                      along its own axes
 //   mirror   x      x (not a round one)    along its own axes; a round one uniformly
+//   control  x      -                      -               as far as its shape lets it
 //   light    x      -                      -
 //   sculpture -     -                      its depth scale, uniformly, unless it is frozen
 //
@@ -41,6 +42,9 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode);
 
 /// Whether it can only be scaled by the same factor along all axes.
 bool scalesUniformly(const Level& level, const Selection& selection);
+
+/// The selected control point of the mirror; nothing when the selection is none.
+std::optional<ControlPoint> controlPointOf(const Level& level, const Selection& selection);
 
 /// Where the selection's gizmo stands: along the scene's axes, or along its own (`local`; always for the mode
 /// scale). Boxes are those of the placed original and of the sculpture, empty when there are none. Nothing

@@ -50,6 +50,13 @@ Pick pickIcon(const PickInput& input, const Pixel& pixel) {
     if (chosen) consider({Part::aim}, input.level.camera.target);
     consider({Part::eye}, input.level.camera.eye);
   }
+  const bool ofMirror = input.selection.part == Part::mirror || input.selection.part == Part::controlPoint;
+  if (input.display.mirror && ofMirror && !findShapeProblem(input.level.optic.shape())) {
+    int number = 0;
+    for (const ControlPoint& control : controlPointsOf(input.level.optic.shape())) {
+      consider({Part::controlPoint, number++}, control.at);
+    }
+  }
   return best;
 }
 

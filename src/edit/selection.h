@@ -9,13 +9,14 @@ enum class Part {
   aim,  ///< the point that the RT camera looks at
   original,
   mirror,
-  sculpture,  ///< its scale is the depth scale
-  light,      ///< the level's light number `index`
+  sculpture,     ///< its scale is the depth scale
+  controlPoint,  ///< of the mirror: number `index`
+  light,         ///< the level's light number `index`
 };
 
 struct Selection {
   Part part = Part::none;
-  int index = 0;  ///< of a light
+  int index = 0;  ///< of a light, of a control point
 
   bool operator==(const Selection&) const = default;
 };

@@ -12,12 +12,12 @@ namespace {
 // clang-format off
 constexpr std::array controls{
     "3D view", "A mesh from a file...", "Add a light", "Ambient", "Animate", "Another mesh...",
-    "Camera, frustum and grid", "Canvas", "Colour", "Colour by status", "Columns", "Depth offset", "Depth scale k",
+    "Camera, frustum and grid", "Canvas", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control rows", "Depth offset", "Depth scale k",
     "Description", "Difference", "Diffuse", "Direction is right", "Distance", "Distance is right", "Exponent", "Eye",
     "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "Freeze the sculpture",
     "From the start", "Go on", "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays",
     "Hide rays into the sky", "Hide the mirror", "How many", "In the colour they bring", "Inside the level",
-    "Intensity", "Language", "Legend", "Let it follow again", "Let it go", "Lift until nothing is hidden",
+    "Intensity", "Its height", "Its radius", "Its x", "Its y", "Language", "Legend", "Let it follow again", "Let it go", "Lift until nothing is hidden",
     "Lights", "Look through the RT camera", "Looks at", "Loop", "Mesh", "Mirror", "Morph", "Normal is right",
     "One after the other", "Original", "Parallel projection", "Pause", "Position", "Preview",
     "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine", "Reflectance", "Reflection",

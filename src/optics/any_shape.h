@@ -67,6 +67,13 @@ struct SurfaceLines {
 constexpr std::size_t shapeVectors = 8;
 using PackedShape = std::array<glm::dvec4, shapeVectors>;
 
+/// A field of a shape as a place in the scene: it moves along the first `freedom` of its axes.
+struct ControlPoint {
+  Point at{0};
+  Axes axes = sceneAxes;
+  int freedom = 1;
+};
+
 /// A shape in words, for the sheet that a maker sets it up by, in the chosen language.
 struct ShapeWords {
   std::string size;    ///< sentences about the thing itself: "A ball of 80.0 mm diameter. "
@@ -121,6 +128,8 @@ class AnyShape {
   virtual ShapeWords words(LengthText text) const = 0;
 
   virtual void visitFields(ShapeFields& fields) = 0;
+  virtual std::vector<ControlPoint> controlPoints() const = 0;
+  virtual void moveControlPoint(std::size_t number, const Vector& motion) = 0;
   virtual void map(const ShapeMap& map) = 0;
   virtual void carryOn() = 0;
 };
@@ -241,6 +250,18 @@ class ShapeOf final : public AnyShape {
   ShapeWords words(LengthText text) const override { return shape_.words(text); }
 
   void visitFields(ShapeFields& fields) override { shape_.visitFields(fields); }
+  std::vector<ControlPoint> controlPoints() const override {
+    if constexpr (requires { shape_.controlPoints(); }) {
+      return shape_.controlPoints();
+    } else {
+      return {};
+    }
+  }
+  void moveControlPoint(std::size_t number, const Vector& motion) override {
+    if constexpr (requires { shape_.moveControlPoint(number, motion); }) {
+      shape_.moveControlPoint(number, motion);
+    }
+  }
   void map(const ShapeMap& map) override { shape_.map(map); }
   void carryOn() override { shape_.carryOn(); }
 

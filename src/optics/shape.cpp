@@ -159,6 +159,16 @@ Shape mapShape(const Shape& shape, const ShapeMap& map) {
   return Shape(copy, std::move(clip));
 }
 
+std::vector<ControlPoint> controlPointsOf(const Shape& shape) {
+  return shape->controlPoints();
+}
+
+Shape withControlPointMoved(const Shape& shape, std::size_t number, const Vector& motion) {
+  const auto copy = shape.any_->copy();
+  copy->moveControlPoint(number, motion);
+  return Shape(copy, shape.clip());
+}
+
 Shape continued(const Shape& shape) {
   const auto copy = shape.any_->copy();
   copy->carryOn();

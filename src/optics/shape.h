@@ -65,6 +65,7 @@ class Shape {
   friend void visitFields(Shape& shape, ShapeFields& fields);
   friend Shape mapShape(const Shape& shape, const ShapeMap& map);
   friend Shape continued(const Shape& shape);
+  friend Shape withControlPointMoved(const Shape& shape, std::size_t number, const Vector& motion);
   struct Cut {
     std::vector<HalfSpace> planes;
     Lazy<SmoothMesh> surface{};
@@ -132,6 +133,12 @@ void visitFields(Shape& shape, ShapeFields& fields);
 
 /// Moved, turned or scaled.
 Shape mapShape(const Shape& shape, const ShapeMap& map);
+
+/// What of the shape can be dragged point by point: the control points of its splines; empty: nothing.
+std::vector<ControlPoint> controlPointsOf(const Shape& shape);
+
+/// With one of them moved along the axes that it is free along.
+Shape withControlPointMoved(const Shape& shape, std::size_t number, const Vector& motion);
 
 /// Grown a little beyond its outline and far beyond its ends.
 Shape continued(const Shape& shape);

@@ -1,5 +1,6 @@
 // The mirror, or the canvas in its place: shape, place, look.
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
+#include "edit/control_points.h"
 #include "edit/replacements.h"
 #include "optics/shape_table.h"
 #include "panels/panels.h"
@@ -22,7 +24,7 @@ constexpr NumberRange lengthRange{limits::lengths, 0.01, "%.2f"};
 class ShapeRows : public ShapeFields {
  public:
   enum class Part { sizes, points };
-  explicit ShapeRows(Part part) : part_(part) {}
+  ShapeRows(Part part, int controlPoint) : point(controlPoint), part_(part) {}
 
   void length(const FieldName& name, double& value) override {
     if (part_ != Part::sizes) return;
@@ -43,10 +45,29 @@ class ShapeRows : public ShapeFields {
       changed |= numberRow(label.c_str(), values[i], lengthRange, name.help);
     }
   }
-  void radii(const FieldName&, std::vector<double>&) override {}
-  void curve(const FieldName&, std::vector<CurvePoint>&) override {}
-  void heights(const FieldName&, HeightGrid&) override {}
-  void file(const FieldName&, SurfaceFile&) override {}
+  void radii(const FieldName& name, std::vector<double>& values) override {
+    if (!splineRows(name, values, limits::splinePoints)) return;
+    changed |= numberRow("Its radius", values[chosen()], lengthRange);
+  }
+  void curve(const FieldName& name, std::vector<CurvePoint>& values) override {
+    if (!splineRows(name, values, limits::splinePoints)) return;
+    changed |= numberRow("Its x", values[chosen()].x, coordinates);
+    changed |= numberRow("Its y", values[chosen()].y, coordinates);
+  }
+  void heights(const FieldName& name, HeightGrid& values) override {
+    if (part_ != Part::sizes || values.rows() < 2 || values.columns < 2) return;
+    int rows = static_cast<int>(values.rows()), columns = static_cast<int>(values.columns);
+    if (integerRow("Control rows", rows, limits::patchPoints, name.help) |
+        integerRow("Control columns", columns, limits::patchPoints, name.help)) {
+      values = resampled(values, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns));
+      changed = true;
+    }
+    pointRow(values.heights.size());
+    changed |= numberRow("Its height", values.heights[chosen()], coordinates);
+  }
+  void file(const FieldName& name, SurfaceFile& value) override {
+    if (part_ == Part::sizes) textRow(name.label, value.path, name.help);
+  }
   void distance(const FieldName& name, const Point& from, Point& to) override {
     if (part_ != Part::sizes) return;
     const double old = glm::length(to - from);
@@ -67,15 +88,42 @@ class ShapeRows : public ShapeFields {
   }
 
   bool changed = false;
+  int point;  ///< the control point that is selected; -1: none
 
  private:
+  std::size_t chosen() const { return static_cast<std::size_t>(std::max(point, 0)); }
+
+  // Which of the control points the next rows are about.
+  void pointRow(std::size_t count) {
+    int number = std::min(std::max(point, 0) + 1, static_cast<int>(count));
+    if (integerRow("Control point", number, {1, static_cast<double>(count)},
+                   "Or drag its dot in the 3D view, where the mirror is selected.") ||
+        point >= static_cast<int>(count)) {
+      point = number - 1;
+    }
+  }
+
+  template <typename Value>
+  bool splineRows(const FieldName& name, std::vector<Value>& values, Range most) {
+    if (part_ != Part::sizes || values.size() < 2) return false;
+    int count = static_cast<int>(values.size());
+    if (integerRow(name.label, count, {std::max(4.0, most.min), most.max}, name.help)) {
+      values = resampled(values, static_cast<std::size_t>(std::max(count, 2)));
+      changed = true;
+    }
+    pointRow(values.size());
+    return true;
+  }
+
   Part part_;
 };
 
-bool shapeRows(Shape& shape) {
-  ShapeRows sizes(ShapeRows::Part::sizes), points(ShapeRows::Part::points);
+bool shapeRows(Shape& shape, Selection& selection) {
+  const int before = selection.part == Part::controlPoint ? selection.index : -1;
+  ShapeRows sizes(ShapeRows::Part::sizes, before), points(ShapeRows::Part::points, before);
   visitFields(shape, sizes);
   visitFields(shape, points);
+  if (sizes.point != before) selection = {Part::controlPoint, sizes.point};
   return sizes.changed || points.changed;
 }
 
@@ -109,7 +157,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
       changed = true;
     }
     changed |= shapeChoice(shape, level.camera.eye);
-    changed |= shapeRows(shape);
+    changed |= shapeRows(shape, editor.selection);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
   if (reflects && section(ui, "Look", false)) {

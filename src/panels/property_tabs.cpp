@@ -11,6 +11,7 @@ PropertyTab tabOf(const Selection& selection, PropertyTab otherwise) {
     case Part::original:
       return PropertyTab::original;
     case Part::mirror:
+    case Part::controlPoint:
       return PropertyTab::mirror;
     case Part::sculpture:
       return PropertyTab::sculpture;

@@ -171,6 +171,24 @@ void drawAim(const Ink& ink, const Editor& editor) {
   ink.list().AddLine({p.x, p.y - 1.6f * r}, {p.x, p.y + 1.6f * r}, color, 1.4f * ink.scale());
 }
 
+// A dot for each control point of the mirror, while it is selected.
+void drawControlPoints(const Ink& ink, const Editor& editor) {
+  const Selection& selection = editor.selection;
+  if (selection.part != Part::mirror && selection.part != Part::controlPoint) return;
+  const Shape& mirror = editor.session.level().optic.shape();
+  if (!editor.display.mirror || editor.lookingThrough || findShapeProblem(mirror)) return;
+  int number = 0;
+  for (const ControlPoint& control : controlPointsOf(mirror)) {
+    const bool chosen = selection == Selection{Part::controlPoint, number++};
+    const auto pixel = ink.find(control.at);
+    if (!pixel) continue;
+    const ImVec2 p = ink.at(*pixel);
+    const float r = (chosen ? 5.5f : 3.5f) * ink.scale();
+    ink.list().AddCircleFilled(p, r + 1.2f * ink.scale(), IM_COL32(20, 24, 32, 200));
+    ink.list().AddCircleFilled(p, r, chosen ? ink::of(palette::selected) : IM_COL32(255, 255, 255, 235));
+  }
+}
+
 void drawAxes(const Ink& ink, const Rect& rect) {
   constexpr const char* names[] = {"x", "y", "z"};
   const float s = ink.scale(), length = 30 * s;
@@ -229,6 +247,7 @@ void drawView(Editor& editor, UiState& ui) {
   ink.list().PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   drawImageFrame(ink, editor, rect);
   drawAim(ink, editor);
+  drawControlPoints(ink, editor);
   const bool alone = editor.display.alone != ShownAlone::nothing;
   Labels labels(ink);
   if (!alone) drawConstructions(ink, editor, labels);

@@ -63,10 +63,22 @@ void startGizmoDrag(Editor& editor, UiState& ui, const ShownGizmo& shown, GizmoH
                                             handle, projectionOf(editor), mouse, ui.scale});
 }
 
+// A control point is dragged by itself as by its arrow; where it may go in a plane, in that.
+bool pressControlPoint(Editor& editor, UiState& ui, const Pixel& mouse) {
+  const Pick picked = pickAt(editor, ui, mouse);
+  const auto control = controlPointOf(editor.session.level(), picked.selection);
+  if (!control) return false;
+  editor.selection = picked.selection;
+  const ShownGizmo shown = currentGizmo(editor, ui);
+  startGizmoDrag(editor, ui, shown, control->freedom > 1 ? GizmoHandle::xy : GizmoHandle::x, mouse);
+  return true;
+}
+
 void press(Editor& editor, UiState& ui, const Pixel& mouse) {
   const ShownGizmo shown = currentGizmo(editor, ui);
   const GizmoHandle handle = pickHandle(shown.gizmo, mouse);
   if (handle != GizmoHandle::none) return startGizmoDrag(editor, ui, shown, handle, mouse);
+  if (pressControlPoint(editor, ui, mouse)) return;
   ui.mouse.clickPending = true;
 }
 
@@ -194,6 +206,9 @@ ShownGizmo currentGizmo(const Editor& editor, const Look& look) {
   shown.frame = *frame;
   shown.gizmo =
       makeGizmo(projectionOf(editor), *frame, shown.mode, look.scale, scalesUniformly(level, selection));
+  if (const auto control = controlPointOf(level, selection)) {
+    shown.gizmo = restricted(std::move(shown.gizmo), control->freedom);
+  }
   return shown;
 }
 
