@@ -24,7 +24,7 @@ constexpr NumberRange lengthRange{limits::lengths, 0.01, "%.2f"};
 class ShapeRows : public ShapeFields {
  public:
   enum class Part { sizes, points };
-  ShapeRows(Part part, int controlPoint) : point(controlPoint), part_(part) {}
+  ShapeRows(Part part, int selected) : controlPoint(selected), part_(part) {}
 
   void length(const FieldName& name, double& value) override {
     if (part_ != Part::sizes) return;
@@ -88,18 +88,18 @@ class ShapeRows : public ShapeFields {
   }
 
   bool changed = false;
-  int point;  ///< the control point that is selected; -1: none
+  int controlPoint;  ///< the control point that is selected; -1: none
 
  private:
-  std::size_t chosen() const { return static_cast<std::size_t>(std::max(point, 0)); }
+  std::size_t chosen() const { return static_cast<std::size_t>(std::max(controlPoint, 0)); }
 
   // Which of the control points the next rows are about.
   void pointRow(std::size_t count) {
-    int number = std::min(std::max(point, 0) + 1, static_cast<int>(count));
+    int number = std::min(std::max(controlPoint, 0) + 1, static_cast<int>(count));
     if (integerRow("Control point", number, {1, static_cast<double>(count)},
                    "Or drag its dot in the 3D view, where the mirror is selected.") ||
-        point >= static_cast<int>(count)) {
-      point = number - 1;
+        controlPoint >= static_cast<int>(count)) {
+      controlPoint = number - 1;
     }
   }
 
@@ -123,7 +123,7 @@ bool shapeRows(Shape& shape, Selection& selection) {
   ShapeRows sizes(ShapeRows::Part::sizes, before), points(ShapeRows::Part::points, before);
   visitFields(shape, sizes);
   visitFields(shape, points);
-  if (sizes.point != before) selection = {Part::controlPoint, sizes.point};
+  if (sizes.controlPoint != before) selection = {Part::controlPoint, sizes.controlPoint};
   return sizes.changed || points.changed;
 }
 
