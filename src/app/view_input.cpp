@@ -7,6 +7,7 @@
 #include "panels/style.h"
 #include "viewport/camera_lines.h"
 #include "viewport/canvas_lines.h"
+#include "viewport/caustic_lines.h"
 #include "viewport/construction_lines.h"
 
 namespace anamorph {
@@ -20,6 +21,13 @@ std::optional<std::size_t> treeOf(const Editor& editor) {
   if (!editor.cell) return std::nullopt;
   const int columns = editor.updater.result().level.grid.columns;
   return static_cast<std::size_t>(editor.cell->row) * columns + editor.cell->column;
+}
+
+std::vector<Line> causticLines(const Editor& editor) {
+  constexpr std::size_t bundles = 600;
+  const LevelResult& result = editor.updater.result();
+  if (!editor.display.caustic || result.problem || !result.source) return {};
+  return makeCausticLines(findCaustic(makeVertexMap(result.level), result.source->positions, bundles));
 }
 
 // Where a looped animation is.
@@ -89,6 +97,7 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
   if (display.alone != ShownAlone::nothing) return lines;
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
+  append(lines, causticLines(editor));
   for (const auto* construction : {&currentConstruction(editor), &earlierConstruction(editor)}) {
     if (*construction) append(lines, makeConstructionLines(**construction));
   }

@@ -47,6 +47,7 @@ struct DisplaySettings {
   ShownAlone alone = ShownAlone::nothing;
   bool wireframe = false;      ///< triangle edges on the sculpture
   bool statusColors = false;   ///< vertices that are mapped, missed, hidden
+  bool caustic = false;        ///< where the rays from the eye cross beyond a hollow mirror
   bool rtCamera = true;        ///< camera model, frustum and pixel grid
   double screenOpacity = 0.8;  ///< of the pixel grid, 0..1
   bool lightMarkers = true;

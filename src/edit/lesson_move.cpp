@@ -48,7 +48,12 @@ Level levelAt(const StepMove& move, const Level& begun, double fraction) {
   towards(level.camera.eye, move.eye);
   towards(level.original.placement.position, move.original);
   towards(level.sculpture.depthScale, move.depthScale);
+  towards(level.sculpture.depthOffset, move.depthOffset);
   towards(level.camera.fovDegrees, move.fovDegrees);
+  if (move.controlPoint && move.controlBy) {
+    level = moved(level, {Part::controlPoint, *move.controlPoint},
+                  (fraction >= 1 ? 1 : eased(fraction)) * *move.controlBy);
+  }
   if (move.mirror) {
     const Vector way = *move.mirror - middleOf(begun.optic.shape());
     level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
@@ -69,6 +74,7 @@ Level begun(const StepMove& move, Level level, const Box& box) {
   for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
   if (!move.freeze) return level;
   level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
+  level.sculpture.depthOffset = move.depthOffset.value_or(level.sculpture.depthOffset);
   return frozen(std::move(level));
 }
 
@@ -86,6 +92,7 @@ void moveView(Editor& editor, const StepMove& move) {
   }
   showRays(editor, move);
   if (move.wireframe) editor.display.wireframe = true;
+  if (move.caustic) editor.display.caustic = true;
   if (move.vertex) pickVertex(editor, *move.vertex);
   if (move.ends) {
     for (const int vertex : *move.ends) pickVertex(editor, vertex);

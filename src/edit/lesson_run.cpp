@@ -181,6 +181,18 @@ std::optional<bool> holds(const StepCondition& condition, const LessonFacts& beg
       return rests && level.sculpture.depthScale > condition.value;
     case StepEvent::depthScaleBelow:
       return rests && level.sculpture.depthScale < condition.value;
+    case StepEvent::depthOffsetAbove:
+      return rests && level.sculpture.depthOffset > condition.value;
+    case StepEvent::depthOffsetBelow:
+      return rests && level.sculpture.depthOffset < condition.value;
+    case StepEvent::foldedShareAbove:
+      return judged(editor, [&](const MatchReport& r) { return r.foldedShare > condition.value; });
+    case StepEvent::foldedShareBelow:
+      return judged(editor, [&](const MatchReport& r) {
+        return r.comparedPixels > 0 && r.foldedShare <= condition.value;
+      });
+    case StepEvent::caustic:
+      return editor.display.caustic;
     case StepEvent::verticesBelow:
       return rests && hasFewerVertices(editor, condition.value);
     case StepEvent::pickedEnds:

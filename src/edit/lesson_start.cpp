@@ -50,6 +50,7 @@ void lookAsAtStart(Editor& editor) {
   editor.rays.show = true;
   editor.rays.source = RaySource::vertices;
   editor.display.wireframe = false;
+  editor.display.caustic = false;
   moveView(editor, editor.lesson.open().start);
 }
 
@@ -71,6 +72,7 @@ bool isStartMissed(const LessonRun& run, const Level& level) {
            isNear(level.camera.eye, start.eye) && isNear(level.original.placement.position, start.original) &&
            isNear(middleOf(level.optic.shape()), start.mirror) &&
            isNear(level.sculpture.depthScale, start.depthScale) &&
+           isNear(level.sculpture.depthOffset, start.depthOffset) &&
            isNear(level.camera.fovDegrees, start.fovDegrees) &&
            (start.mirrorKind.empty() || start.mirrorKind == shapeName(level.optic.shape())));
 }

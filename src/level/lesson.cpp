@@ -49,7 +49,12 @@ std::optional<Range> valuesFor(StepEvent event) {
     case StepEvent::matchBelow:
     case StepEvent::hiddenShareAbove:
     case StepEvent::hiddenShareBelow:
+    case StepEvent::foldedShareAbove:
+    case StepEvent::foldedShareBelow:
       return limits::fractions;
+    case StepEvent::depthOffsetAbove:
+    case StepEvent::depthOffsetBelow:
+      return limits::depthOffset.level;
     case StepEvent::eyeAbove:
       return limits::coordinates;
     case StepEvent::eyeAway:
@@ -109,6 +114,11 @@ static void fields(At& at, StepMove& move) {
   optional(at, "original", move.original, limits::coordinates);
   optional(at, "mirror", move.mirror, limits::coordinates);
   optional(at, "depthScale", move.depthScale, limits::depthScale.level);
+  optional(at, "depthOffset", move.depthOffset, limits::depthOffset.level);
+  optional(at, "controlPoint", move.controlPoint, limits::controlPointNumber);
+  optional(at, "controlBy", move.controlBy, limits::coordinates);
+  at.expect(move.controlPoint.has_value() == move.controlBy.has_value(), "controlBy",
+            "controlPoint and controlBy together");
   if (at.has("tolerance"))
     at.numberOrOff("tolerance", move.tolerancePixels.emplace(), limits::tolerance.level);
   optional(at, "fovDegrees", move.fovDegrees, limits::fieldOfView.level);
@@ -134,6 +144,7 @@ static void fields(At& at, StepMove& move) {
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);
+  at.field("caustic", move.caustic);
   at.field("undo", move.undo);
   at.field("freeze", move.freeze);
 }
@@ -215,6 +226,11 @@ bool isState(StepEvent event) {
     case StepEvent::keptEye:
     case StepEvent::depthScaleAbove:
     case StepEvent::depthScaleBelow:
+    case StepEvent::depthOffsetAbove:
+    case StepEvent::depthOffsetBelow:
+    case StepEvent::foldedShareAbove:
+    case StepEvent::foldedShareBelow:
+    case StepEvent::caustic:
     case StepEvent::verticesBelow:
     case StepEvent::frozen:
       return true;

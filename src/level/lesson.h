@@ -57,6 +57,11 @@ enum class StepEvent {
   keptEye,   ///< it is where it was when the step began
   depthScaleAbove,
   depthScaleBelow,
+  depthOffsetAbove,  ///< value: scene units
+  depthOffsetBelow,
+  foldedShareAbove,  ///< value: 0..1
+  foldedShareBelow,
+  caustic,        ///< it is shown
   verticesBelow,  ///< value: the original has fewer
   pickedEnds,     ///< two vertices, farther apart than half the original is long
   wiped,          ///< the line of the preview's tab was dragged
@@ -91,6 +96,11 @@ inline constexpr std::array stepEvents{"movedEye",
                                        "keptEye",
                                        "depthScaleAbove",
                                        "depthScaleBelow",
+                                       "depthOffsetAbove",
+                                       "depthOffsetBelow",
+                                       "foldedShareAbove",
+                                       "foldedShareBelow",
+                                       "caustic",
                                        "verticesBelow",
                                        "pickedEnds",
                                        "wiped",
@@ -110,7 +120,9 @@ struct StepCondition {
 /// A move that "do it" makes, or that makes a level what a step begins with. What is absent stays as it is.
 struct StepMove {
   std::optional<Point> eye, original, mirror;  ///< where it goes
-  std::optional<double> depthScale;
+  std::optional<double> depthScale, depthOffset;
+  std::optional<int> controlPoint;  ///< of the mirror, which `controlBy` moves
+  std::optional<Vector> controlBy;
   std::optional<double> tolerancePixels;  ///< 0: off
   std::optional<double> fovDegrees;
   std::optional<double> morph;               ///< 0: the original
@@ -128,6 +140,7 @@ struct StepMove {
   bool lookThrough = false;
   bool animate = false;  ///< the rays
   bool wireframe = false;
+  bool caustic = false;  ///< shows it
   bool undo = false;
   bool freeze = false;  ///< the sculpture, before anything but the depth scale has moved
   bool operator==(const StepMove&) const = default;

@@ -42,6 +42,7 @@ LevelScene played(LevelScene level, const StepMove& move) {
   take(level.camera.fovDegrees, move.fovDegrees);
   take(level.original.placement.position, move.original);
   take(level.sculpture.depthScale, move.depthScale);
+  take(level.sculpture.depthOffset, move.depthOffset);
   take(level.sculpture.tolerancePixels, move.tolerancePixels);
   if (auto* box = std::get_if<BoxShape>(&level.original.shape)) take(box->segments, move.segments);
   for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
@@ -59,7 +60,7 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
     case StepEvent::movedOriginal:
       return !move.shape.empty() || !(after.original.placement == before.original.placement);
     case StepEvent::movedMirror:
-      return move.mirror || !move.mirrorKind.empty();
+      return move.mirror || !move.mirrorKind.empty() || move.controlBy;
     case StepEvent::changedOriginal:
       return !move.shape.empty() || !(after.original.shape == before.original.shape);
     case StepEvent::changedMirror:
@@ -105,6 +106,12 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
       return after.sculpture.depthScale > condition.value;
     case StepEvent::depthScaleBelow:
       return after.sculpture.depthScale < condition.value;
+    case StepEvent::depthOffsetAbove:
+      return after.sculpture.depthOffset > condition.value;
+    case StepEvent::depthOffsetBelow:
+      return after.sculpture.depthOffset < condition.value;
+    case StepEvent::caustic:
+      return move.caustic || start.caustic;
     case StepEvent::pickedEnds:
       return move.ends.has_value();
     case StepEvent::wiped:
@@ -116,14 +123,23 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
     case StepEvent::matchBelow:
     case StepEvent::hiddenShareAbove:
     case StepEvent::hiddenShareBelow:
+    case StepEvent::foldedShareAbove:
+    case StepEvent::foldedShareBelow:
       break;
   }
   return true;
 }
 
 // That what the move picks is there.
-void checkPicks(const StepMove& move, const std::string& path, const PixelGrid& grid, std::size_t vertices,
+void checkPicks(const StepMove& move, const std::string& path, const LevelScene& level, std::size_t vertices,
                 LessonFaults& faults) {
+  const std::size_t controls = controlPointsOf(level.optic.shape()).size();
+  if (move.controlPoint && static_cast<std::size_t>(*move.controlPoint) >= controls) {
+    faults.add(path + "/controlPoint",
+               controls == 0 ? "no control point: the mirror has none"
+                             : fmt::format("one of the mirror's control points, 0 to {}", controls - 1));
+  }
+  const PixelGrid& grid = level.grid;
   if (vertices == 0) return;  // that is said already
   const auto checkVertex = [&](int vertex, const std::string& at) {
     if (static_cast<std::size_t>(vertex) < vertices) return;
@@ -139,7 +155,7 @@ void checkPicks(const StepMove& move, const std::string& path, const PixelGrid& 
 void checkPlay(const LessonStep& step, const std::string& path, const LevelScene& before,
                std::size_t vertices, LessonFaults& faults) {
   const StepMove& move = *step.show.play;
-  checkPicks(move, path, before.grid, vertices, faults);
+  checkPicks(move, path, before, vertices, faults);
   for (const StepCondition& condition : step.done) {
     if (canHold(condition, step.start, move, before)) continue;
     const std::string event = stepEvents[static_cast<std::size_t>(condition.when)];
@@ -159,7 +175,7 @@ void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& r
     if (!widget.empty() && std::find(controls.begin(), controls.end(), widget) == controls.end()) {
       faults.add(path + "/widget", "the English name of a control", didYouMean(widget, controls));
     }
-    checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), loaded.level.grid, vertices, faults);
+    checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), loaded.level, vertices, faults);
     if (step.show.play) checkPlay(step, path + "/play", played(loaded.level, step.start), vertices, faults);
   }
 }

@@ -95,6 +95,7 @@ constexpr std::size_t mostTitleBytes = 1000;  ///< that can be typed
 
 constexpr std::size_t mostSteps = 100, mostConditions = 8, mostAnswers = 5;
 constexpr Range vertexNumber{0, 1e8};
+constexpr Range controlPointNumber{0, patchPoints.max* patchPoints.max - 1};
 constexpr Range cellNumber{gridCells.min - 1, gridCells.max - 1};
 
 // ---- Rays and the morph, which only the view shows

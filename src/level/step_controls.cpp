@@ -12,7 +12,7 @@ namespace {
 // clang-format off
 constexpr std::array controls{
     "3D view", "A mesh from a file...", "Add a light", "Ambient", "Animate", "Another mesh...",
-    "Camera, frustum and grid", "Canvas", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control rows", "Depth offset", "Depth scale k",
+    "Camera, frustum and grid", "Canvas", "Caustic", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control rows", "Depth offset", "Depth scale k",
     "Description", "Difference", "Diffuse", "Direction is right", "Distance", "Distance is right", "Exponent", "Eye",
     "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "Freeze the sculpture",
     "From the start", "Go on", "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays",

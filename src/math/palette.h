@@ -20,6 +20,7 @@ constexpr Rgb orange{0xE69F00}, green{0x009E73}, yellow{0xF0E442}, blue{0x0072B2
 
 constexpr Rgb rayFromEye = blue, rayReflected = vermilion, rayToLight = yellow, rayInShadow{0x555555},
               rayIntoSky{0x999999};
+constexpr Rgb firstCaustic = orange, secondCaustic = purple;
 constexpr Rgb normal = green, virtualRay{0xBFCCD9};
 /// Labels on dark plates: brighter than the lines they belong to.
 constexpr Rgb pointLabel{0xFFFFFF}, distanceLabel{0xFFE178}, angleLabel{0x5ADCAA}, labelPlate{0x121419},

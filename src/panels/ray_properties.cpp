@@ -44,6 +44,8 @@ void drawRayProperties(Editor& editor, UiState& ui) {
       integerRow("How many", rays.vertexCount, limits::drawnVertexRays,
                  "Spread evenly over the original's vertices.");
     checkRow("To the lights too", rays.lightRays, "Rays that ask whether a light is free, and shadow rays.");
+    checkRow("Caustic", editor.display.caustic,
+             "Where neighbouring rays cross beyond a hollow mirror: two surfaces, drawn as dots.");
     checkRow("Hide rays into the sky", rays.hideNoHit);
     checkRow("Hide negligible rays", rays.hideNegligible, "That give their pixel less than the share below.");
     if (rays.hideNegligible) sliderRow("Share", rays.negligible, {limits::fractions, 0.001, "%.3f"});

@@ -1,0 +1,28 @@
+#include "anamorphosis/caustic.h"
+
+#include <algorithm>
+
+#include "anamorphosis/ray_bundle.h"
+
+namespace anamorph {
+
+std::vector<CausticPoint> findCaustic(const VertexMap& map, const PointArray& original, std::size_t count,
+                                      double farthest) {
+  std::vector<CausticPoint> points;
+  const std::size_t asked = std::min(count, original.size());
+  for (std::size_t i = 0; i < asked; ++i) {
+    const Point& target = original[i * original.size() / asked];
+    const auto ray = exitRayTowards(map, target);
+    const auto bundle = bundleAround(map, target);
+    if (!ray || !bundle) continue;
+    bool second = false;
+    for (const double focus : bundle->foci()) {
+      if (focus > farthest * ray->distance) break;
+      points.push_back({ray->exit + focus * ray->onward, second});
+      second = true;
+    }
+  }
+  return points;
+}
+
+}  // namespace anamorph
