@@ -1,5 +1,6 @@
 // anamorph levels: what is installed; with -o, the picture, sculpture and score of each.
 
+#include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -81,10 +82,15 @@ JsonValue showLevel(const LevelEntry& entry, const LevelsOptions& options, const
 
 void listAll(const std::vector<LevelEntry>& entries, const CommonOptions& common) {
   JsonValue list = emptyList();
+  const char* group = "";
   for (const LevelEntry& entry : entries) {
+    if (!common.json && std::strcmp(group, entry.group) != 0) {
+      printLine(stdout, fmt::format("{}{}:", *group ? "\n" : "", entry.group));
+      group = entry.group;
+    }
     const std::string& text = entry.problem.empty() ? entry.title : entry.problem;
     list.items.push_back(entryJson(entry).value());
-    if (!common.json) printLine(stdout, fmt::format("{:<14} {}", entry.name, text));
+    if (!common.json) printLine(stdout, fmt::format("  {:<14} {}", entry.name, text));
   }
   if (common.json) printJson(JsonObject().add("levels", std::move(list)).value());
 }

@@ -1,6 +1,8 @@
 #include "level/level_library.h"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -12,6 +14,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The headings of the list, each with the number of the first level that is below it.
+struct LevelGroup {
+  const char* title;
+  int from;
+};
+constexpr int unnumbered = 1'000'000;
+constexpr LevelGroup groups[] = {
+    {"First steps", 0}, {"Mirrors", 5}, {"Glass and systems", 8}, {"Free", unnumbered}};
+
+// Before its name: 12 of "12-lens".
+int numberOf(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  int number = unnumbered;
+  const auto [end, problem] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
+  const bool isNumber = problem == std::errc() && *end == '-' && number >= 0 && number < unnumbered;
+  return isNumber ? number : unnumbered;
+}
+
+const char* groupOf(const fs::path& file) {
+  const char* title = groups[0].title;
+  for (const LevelGroup& group : groups) {
+    if (numberOf(file) >= group.from) title = group.title;
+  }
+  return title;
+}
+
 std::vector<fs::path> levelFiles(const fs::path& folder) {
   std::error_code problem;
   std::vector<fs::path> files;
@@ -20,7 +48,9 @@ std::vector<fs::path> levelFiles(const fs::path& folder) {
     if (entry->path().extension() == ".json") files.push_back(entry->path());
   }
   if (problem) throw Error("cannot list the levels: " + problem.message(), folder.string());
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::pair(numberOf(a), a.stem()) < std::pair(numberOf(b), b.stem());
+  });
   return files;
 }
 
@@ -43,6 +73,7 @@ std::vector<LevelEntry> listLevels(const fs::path& folder) {
     LevelEntry& entry = levels.emplace_back();
     entry.path = file;
     entry.name = file.stem().string();
+    entry.group = groupOf(file);
     try {
       LoadedLevel loaded = loadLevel(file);
       entry.title = loaded.level.text->title;

@@ -1,5 +1,7 @@
 // The level list: a picture, the title, and how far its lesson is done.
 
+#include <cstring>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -66,6 +68,12 @@ void levelRow(const LevelEntry& entry, Editor& editor, UiState& ui) {
   ImGui::PopID();
 }
 
+void drawGroup(const char* title, const UiState& ui) {
+  const float above = 6 * static_cast<float>(ui.scale);
+  ImGui::Dummy({0, above});
+  ImGui::TextColored(ink::quiet(ui.theme), "%s", tr(title));
+}
+
 // With an arrow where the list can be folded.
 void drawHeading(UiState& ui) {
   const FontScope strong(ui.fonts.strong);
@@ -81,7 +89,11 @@ void drawLevelPanel(Editor& editor, UiState& ui) {
   drawHeading(ui);
   if (ui.layout.levelsFolded) return ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
-  for (const LevelEntry& entry : ui.levels) levelRow(entry, editor, ui);
+  const char* group = "";
+  for (const LevelEntry& entry : ui.levels) {
+    if (std::strcmp(group, entry.group) != 0) drawGroup(group = entry.group, ui);
+    levelRow(entry, editor, ui);
+  }
   ImGui::PopStyleVar();
   ImGui::End();
 }

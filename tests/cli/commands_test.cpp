@@ -361,7 +361,7 @@ TEST(Check, NamesOtherFormatsAndLooksIntoFilesWithoutAnEnding) {
 TEST(Levels, ListsWhatIsInstalled) {
   const Result list = run("levels");
   EXPECT_EQ(list.exitCode, 0);
-  for (const char* name : {"0-perspective", "1-plane", "2-cylinder", "3-sphere", "4-mistakes", "5-sandbox"}) {
+  for (const char* name : {"0-perspective", "1-plane", "2-cylinder", "3-sphere", "4-mistakes", "sandbox"}) {
     EXPECT_THAT(list.out, HasSubstr(name));
   }
   const TemporaryFolder folder;
