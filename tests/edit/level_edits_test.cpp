@@ -103,7 +103,9 @@ TEST(LevelEdits, EveryEditCanBeTakenBack) {
     EXPECT_LT(differenceOf(rotated(turned, selection, origin, axis, -angle), level), 1e-9);
     Vector factors(random.uniform(0.2, 4), random.uniform(0.2, 4), random.uniform(0.2, 4));
     const Shape& mirror = level.optic.shape();
-    if (mirror.as<CylinderMirror>() || mirror.as<ConeMirror>()) factors.y = factors.x;
+    const bool isTurned =
+        mirror.as<CylinderMirror>() || mirror.as<ConeMirror>() || mirror.as<ParaboloidMirror>();
+    if (isTurned) factors.y = factors.x;
     if (scalesUniformly(level, selection)) factors = Vector(factors.x);
     const Level larger = scaled(level, selection, origin, factors);
     EXPECT_LT(differenceOf(scaled(larger, selection, origin, 1.0 / factors), level), 1e-9);
