@@ -5,7 +5,7 @@
 
 // The distance along the ray, before tMax; -1 for none.
 float intersectMirror(Ray ray, float tMax) {
-  return intersectShape(ray.origin, ray.direction, mirrorShape, tMax);
+  return intersectShape(ray.origin, ray.direction, mirrorShape, 0.0, tMax);
 }
 
 // Unit, towards where the ray comes from.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/frame.h"
+#include "math/placement.h"
 #include "optics/optic.h"
 #include "shapes.h"
 
@@ -30,9 +31,11 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-enum class ShapeKind { plane, cylinder, sphere, cone };
-constexpr ShapeKind allShapeKinds[] = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere,
-                                       ShapeKind::cone};
+enum class ShapeKind { plane, cylinder, sphere, cone, ellipsoid, paraboloid };
+constexpr ShapeKind curvedShapeKinds[] = {ShapeKind::cylinder, ShapeKind::sphere, ShapeKind::cone,
+                                          ShapeKind::ellipsoid, ShapeKind::paraboloid};
+constexpr ShapeKind allShapeKinds[] = {ShapeKind::plane, ShapeKind::cylinder,  ShapeKind::sphere,
+                                       ShapeKind::cone,  ShapeKind::ellipsoid, ShapeKind::paraboloid};
 
 struct RandomScene {
   Optic optic;
@@ -41,7 +44,7 @@ struct RandomScene {
   Direction normal;  ///< there, towards the eye
 };
 
-// A rotated quad, a tilted cylinder or cone, or a sphere, and an eye that sees the returned point of it from outside.
+// A rotated quad, a tilted cylinder, cone or bowl, a sphere or an ellipsoid, and an eye that sees the returned point of it from outside.
 inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
   RandomScene scene;
   const Point centre = random.point(5);
@@ -69,6 +72,20 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
     const double radius = (1 - v) * cone.bottomRadius + v * cone.topRadius;
     scene.onMirror = centre + v * height * frame.up + radius * n;
     scene.normal = glm::normalize(n - (cone.topRadius - cone.bottomRadius) / height * frame.up);
+  } else if (kind == ShapeKind::ellipsoid) {
+    const Vector radii(random.uniform(1, 4), random.uniform(1, 4), random.uniform(1, 4));
+    const Vector angles = random.point(180);
+    scene.optic.shape() = EllipsoidMirror{centre, radii, angles};
+    const glm::dmat3 own = rotationMatrix(angles);
+    scene.onMirror = centre + own * (radii * n);
+    scene.normal = glm::normalize(own * (n / radii));
+  } else if (kind == ShapeKind::paraboloid) {
+    const double focal = random.uniform(0.5, 4), radius = random.uniform(1, 4);
+    const double hole = random.integer(0, 1) == 0 ? 0 : random.uniform(0.1, 0.5) * radius;
+    scene.optic.shape() = ParaboloidMirror{centre, random.uniform(0.1, 9) * frame.up, focal, radius, hole};
+    const double rho = hole + random.uniform(0.1, 0.9) * (radius - hole);
+    scene.onMirror = centre + rho * n + rho * rho / (4 * focal) * frame.up;
+    scene.normal = glm::normalize(rho * n - 2 * focal * frame.up);
   } else {
     const double radius = random.uniform(0.5, 4);
     scene.optic.shape() = SphereMirror{centre, radius};
@@ -77,10 +94,21 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
   }
   // Up to 70 degrees from the normal, not along it exactly.
   const double tilt = radians(random.uniform(1, 70)), turn = random.uniform(0, 2 * pi);
-  const Frame around = kind == ShapeKind::cone ? makeFrame(scene.normal, frame.up) : frame;
+  const Frame around = scene.normal == n ? frame : makeFrame(scene.normal, frame.up);
   const Direction side = std::cos(turn) * around.right + std::sin(turn) * around.up;
   scene.eye =
       scene.onMirror + random.uniform(2, 20) * (std::cos(tilt) * scene.normal + std::sin(tilt) * side);
+  return scene;
+}
+
+// The same mirrors, curved ones only, and an eye within, on the way from another point of the surface to the returned one.
+inline RandomScene makeHollowScene(ShapeKind kind, Random& random) {
+  RandomScene scene = makeRandomScene(kind, random);
+  scene.normal = -scene.normal;
+  do {
+    const Point opposite = pointAt(scene.optic.shape(), random.uniform(0, 1), random.uniform(0, 1));
+    scene.eye = glm::mix(opposite, scene.onMirror, random.uniform(0.1, 0.9));
+  } while (!(glm::dot(glm::normalize(scene.eye - scene.onMirror), scene.normal) > 0.1));
   return scene;
 }
 

@@ -7,7 +7,9 @@
 
 #include "optics/cone.h"
 #include "optics/cylinder.h"
+#include "optics/ellipsoid.h"
 #include "optics/optic.h"
+#include "optics/paraboloid.h"
 #include "optics/plane.h"
 #include "optics/shape.h"
 #include "optics/sphere.h"

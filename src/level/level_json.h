@@ -1,6 +1,6 @@
 // Level files: JSON with "format": "anamorph-level", explained in levels/README.md. Reading is strict about
 // types and ranges, and tells all faults at once; keys that are not known are warned about and survive load and save. The thesis' scene
-// files are read too. Geometry that no sculpture can be made of (an eye inside the sphere) is no fault of the
+// files are read too. Geometry that no sculpture can be made of (an eye on the mirror) is no fault of the
 // file: the optics tell.
 #pragma once
 

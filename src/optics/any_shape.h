@@ -164,6 +164,9 @@ class ShapeOf final : public AnyShape {
     }
   }
   std::size_t exitPoints(const ExitBlock& block) const override {
+    if constexpr (requires { shape_.hollowBounceFrom(block.eye); }) {
+      if (!shape_.seesConvexSide(block.eye)) return followBlock(shape_.hollowBounceFrom(block.eye), block);
+    }
     if constexpr (requires { shape_.bounceFrom(block.eye); }) {
       return followBlock(shape_.bounceFrom(block.eye), block);
     } else {  // without a batch form every ray is followed by itself

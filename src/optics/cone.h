@@ -63,13 +63,18 @@ struct ConeMirror {
       const double one = q / a, other = form.c / q;
       const double near = one < other ? one : other, far = one < other ? other : one;
       const bool nearMeets = (near > 0) & form.contains(near, v);
-      const double t = nearMeets ? near : far;
+      const double t = select(nearMeets, near, far);
       const bool fromOutside = a * t + b < 0;  // where the quadric's value falls
       const bool meets = (discriminant >= 0) & (a != 0) & (q != 0) & form.contains(t, v) & fromOutside;
       return {t, form.normalAt(t, v, u), meets};
     }
   };
   Bounce bounceFrom(const Point& eye) const { return {formFrom(eye)}; }
+  HollowConicalBounce<true> hollowBounceFrom(const Point& eye) const { return {formFrom(eye)}; }
+  bool seesConvexSide(const Point& eye) const {
+    const Form form = formFrom(eye);
+    return form.seesOutsideOnly(form.along < 0 ? bottomRadius : topRadius);
+  }
 
   // ---- What can be wrong
 
@@ -84,14 +89,9 @@ struct ConeMirror {
   }
   std::optional<std::string> findEyeProblem(const Point& eye) const {
     const Form form = formFrom(eye);
-    const double distance = glm::length(form.w);
-    if (auto problem = findDistanceProblem(std::hypot(distance, form.along), widest())) return problem;
-    if (distance > form.radiusAtEye + shapeTolerance * widest()) return std::nullopt;
-    return trFormat(
-        "the eye is inside the cone (continued beyond its ends): it is {:.3g} from the axis and "
-        "the radius there is {:.3g}. From there no ray meets the outside of the mirror. Move "
-        "the eye away from the axis, or make the radii smaller.",
-        distance, form.radiusAtEye);
+    const double distance = std::hypot(glm::length(form.w), form.along);
+    if (auto problem = findDistanceProblem(distance, widest())) return problem;
+    return findContactProblem(form.distanceToSurface(), widest());
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
     const Form form = formFrom(eye);

@@ -9,9 +9,11 @@
 //   '-----r0----'          only where r0 + m h > 0: the other nappe of the double cone is no mirror
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/quadratic.h"
+#include "optics/exit_kernel.h"
 #include "optics/shape_helpers.h"
 
 namespace anamorph {
@@ -61,6 +63,24 @@ struct ConicalForm {
     return (w + t * u) * inverseRadius;
   }
 
+  double topRadius() const { return radius + slope * height; }
+  double widest() const { return std::max(radius, topRadius()); }
+
+  /// From the eye to the finite surface, where it is near; else more than nothing.
+  double distanceToSurface() const {
+    const double beyond = std::max({-along, along - height, 0.0});
+    return std::max(beyond, slant * std::abs(glm::length(w) - radiusAtEye));
+  }
+
+  /// Whether the eye sees nothing of the inner wall: it is outside, and the end that it is beyond, of this radius, is a
+  /// point; or it looks into that end from within the other nappe, where its rays are steeper than the wall.
+  bool seesOutsideOnly(double endRadius) const {
+    const double distance = glm::length(w), gap = shapeTolerance * widest();
+    if (!(distance > radiusAtEye + gap)) return false;
+    const bool besides = along >= 0 && along <= height;
+    return besides || endRadius == 0 || distance < -radiusAtEye - gap;
+  }
+
   double height;
   Direction axis;
   double along;  // of the eye, from the bottom
@@ -86,5 +106,32 @@ std::optional<SurfaceHit> intersectConical(const ConicalForm<sloped>& form, cons
   }
   return std::nullopt;
 }
+
+/// Many rays that may meet either wall, and the nappe beyond the apex that is none. From the inner wall a ray may come to
+/// the opposite one: there c = 0, and the other root is -2 b / a.
+template <bool sloped>
+struct HollowConicalBounce {
+  ConicalForm<sloped> form;
+
+  [[gnu::always_inline]] BouncePoint operator()(const Point&, const Vector& v) const {
+    const Vector u = form.across(v);
+    const auto [a, b] = form.coefficients(v, u);
+    const auto [near, far, real] = bothRoots(a, b, form.c);
+    const bool nearMeets = (near > 0) & form.contains(near, v);
+    const double t = select(nearMeets, near, far);
+    const bool meets = real & form.contains(t, v);
+    return {t, form.normalAt(t, v, u), meets};
+  }
+  [[gnu::always_inline]] bool isFree(double t, const Vector& v, const Vector& onward, double length) const {
+    const double margin = 1e-6 * (form.height + form.radius);  // near an end is on the surface
+    const Vector q = form.w + t * form.across(v), u = form.across(onward);
+    const double position = form.along + t * glm::dot(v, form.axis), rise = glm::dot(onward, form.axis);
+    const double growth = form.slope * rise, here = form.radius + form.slope * position;
+    const double again = -2 * (glm::dot(u, q) - here * growth) / (glm::dot(u, u) - growth * growth);
+    const double there = position + again * rise;
+    const bool between = (there >= -margin) & (there <= form.height + margin);
+    return !(between & isOnTheWay(again, length));
+  }
+};
 
 }  // namespace anamorph

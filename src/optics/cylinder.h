@@ -57,6 +57,8 @@ struct CylinderMirror {
     }
   };
   Bounce bounceFrom(const Point& eye) const { return {formFrom(eye)}; }
+  HollowConicalBounce<false> hollowBounceFrom(const Point& eye) const { return {formFrom(eye)}; }
+  bool seesConvexSide(const Point& eye) const { return formFrom(eye).seesOutsideOnly(radius); }
 
   /// As it would be if the cylinder were a sphere about its middle: the published mistake (mistakes.h).
   Direction publishedNormal(const Point& point) const { return glm::normalize(point - middle()); }
@@ -71,14 +73,9 @@ struct CylinderMirror {
     return std::nullopt;
   }
   std::optional<std::string> findEyeProblem(const Point& eye) const {
-    const double distance = glm::length(formFrom(eye).w);
-    if (auto problem = findDistanceProblem(distance, radius)) return problem;
-    if (distance > radius * (1 + shapeTolerance)) return std::nullopt;
-    return trFormat(
-        "the eye is inside the cylinder (continued beyond its ends): it is {:.3g} from the "
-        "axis and the radius is {:.3g}. From there no ray meets the outside of the mirror. "
-        "Move the eye away from the axis, or make the radius smaller.",
-        distance, radius);
+    const Form form = formFrom(eye);
+    if (auto problem = findDistanceProblem(glm::length(form.w), radius)) return problem;
+    return findContactProblem(form.distanceToSurface(), radius);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
     const Form form = formFrom(eye);

@@ -118,6 +118,9 @@ struct PlaneMirror {
         "eye away from that plane.");
   }
 
+  /// Neither side is hollow.
+  bool seesConvexSide(const Point&) const { return true; }
+
   Point eyeOutside(const Point& eye, const Point& original) const {
     const Direction n = normal();
     const double diagonal = glm::length(corners[2] - corners[0]);

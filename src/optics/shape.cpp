@@ -71,7 +71,7 @@ std::optional<SurfaceHit> intersect(const Shape& shape, const Ray& ray, double t
 }
 
 bool seesConvexSide(const Shape& shape, const Point& eye) {
-  return shape->seesConvexSide(eye);
+  return shape.clip().empty() && shape->seesConvexSide(eye);  // a cut shows the inner wall
 }
 
 std::optional<std::string> findShapeProblem(const Shape& shape) {

@@ -42,6 +42,20 @@ std::optional<std::string> findDistanceProblem(double distance, double radius) {
       radius, distance);
 }
 
+std::optional<std::string> findContactProblem(double gap, double size) {
+  if (gap > shapeTolerance * size) return std::nullopt;
+  return tr(
+      "the eye is on the surface of the mirror, from where nothing is seen in it. Move the eye away from the "
+      "surface, to either side.");
+}
+
+Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way) {
+  constexpr double nothing = 1e-9;  // radians; what places far from the origin lose by rounding is less
+  const double length = glm::length(way);
+  const Direction was = way / length, is = glm::normalize(map.point(at + was) - map.point(at));
+  return isFinite(is) && glm::length(is - was) > nothing ? length * is : way;
+}
+
 Direction around(const Direction& axis, double fraction) {
   const Direction x = perpendicular(axis), y = glm::cross(axis, x);
   const double angle = 2 * pi * fraction;

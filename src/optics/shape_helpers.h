@@ -38,6 +38,12 @@ Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB);
 std::optional<std::string> findRadiusProblem(double radius);
 std::optional<std::string> findDistanceProblem(double distance, double radius);
 
+/// What is wrong with an eye at this distance from a curved surface of this size: it is on it.
+std::optional<std::string> findContactProblem(double gap, double size);
+
+/// A direction at a point, of any length, as a map turns it: as long as before, and the very same when it is not turned.
+Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way);
+
 /// Whether a thing with this axis stands upright, and how the sheet says how it stands.
 bool isUpright(const Vector& axis);
 std::string stanceAlong(const Vector& axis);

@@ -7,6 +7,8 @@
 #include "base/check.h"
 #include "optics/cone.h"
 #include "optics/cylinder.h"
+#include "optics/ellipsoid.h"
+#include "optics/paraboloid.h"
 #include "optics/plane.h"
 #include "optics/sphere.h"
 
@@ -14,8 +16,9 @@ namespace anamorph {
 namespace {
 
 std::vector<ShapeType>& table() {
-  static std::vector<ShapeType> types{shapeType<PlaneMirror>(), shapeType<CylinderMirror>(),
-                                      shapeType<SphereMirror>(), shapeType<ConeMirror>()};
+  static std::vector<ShapeType> types{shapeType<PlaneMirror>(),     shapeType<CylinderMirror>(),
+                                      shapeType<SphereMirror>(),    shapeType<ConeMirror>(),
+                                      shapeType<EllipsoidMirror>(), shapeType<ParaboloidMirror>()};
   return types;
 }
 

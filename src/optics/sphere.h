@@ -45,6 +45,9 @@ struct SphereMirror {
     return std::nullopt;
   }
 
+  double distanceOf(const Point& eye) const { return glm::length(eye - centre); }
+  bool seesConvexSide(const Point& eye) const { return distanceOf(eye) > radius * (1 + shapeTolerance); }
+
   /// Outside a convex surface the first bounce is the only one.
   struct Bounce {
     Vector w;
@@ -60,18 +63,27 @@ struct SphereMirror {
     return {w, glm::dot(w, w) - radius * radius, 1 / radius};
   }
 
+  struct HollowBounce {
+    Bounce outside;
+
+    [[gnu::always_inline]] BouncePoint operator()(const Point&, const Vector& v) const {
+      const auto [near, far, real] = bothRoots(glm::dot(v, v), glm::dot(v, outside.w), outside.c);
+      const double t = near > 0 ? near : far;
+      return {t, (outside.w + t * v) * outside.inverseRadius, real};
+    }
+    [[gnu::always_inline]] bool isFree(double t, const Vector& v, const Vector& onward, double length) const {
+      const double again = -2 * glm::dot(outside.w + t * v, onward) / glm::dot(onward, onward);
+      return !isOnTheWay(again, length);
+    }
+  };
+  HollowBounce hollowBounceFrom(const Point& eye) const { return {bounceFrom(eye)}; }
+
   // ---- What can be wrong
 
   std::optional<std::string> findProblem() const { return findRadiusProblem(radius); }
   std::optional<std::string> findEyeProblem(const Point& eye) const {
-    const double distance = glm::length(eye - centre);
-    if (auto problem = findDistanceProblem(distance, radius)) return problem;
-    if (distance > radius * (1 + shapeTolerance)) return std::nullopt;
-    return trFormat(
-        "the eye is inside the sphere: it is {:.3g} from the centre and the "
-        "radius is {:.3g}. From there no ray meets the outside of the mirror. "
-        "Move the eye away from the centre, or make the radius smaller.",
-        distance, radius);
+    if (auto problem = findDistanceProblem(distanceOf(eye), radius)) return problem;
+    return findContactProblem(std::abs(distanceOf(eye) - radius), radius);
   }
   Point eyeOutside(const Point& eye, const Point& original) const {
     return centre + 2 * radius * wayOut(eye - centre, centre - original, Direction(0, -1, 0));

@@ -33,7 +33,8 @@ void forScenes(std::initializer_list<ShapeKind> kinds, const Body& body) {
   }
 }
 
-constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder, ShapeKind::sphere, ShapeKind::cone};
+constexpr auto everyKind = {ShapeKind::plane, ShapeKind::cylinder,  ShapeKind::sphere,
+                            ShapeKind::cone,  ShapeKind::ellipsoid, ShapeKind::paraboloid};
 
 // The normal at a point of the mirror, computed here from the shape alone.
 Direction normalAt(const RandomScene& scene, const Point& q) {
@@ -50,6 +51,13 @@ Direction normalAt(const RandomScene& scene, const Point& q) {
     // Perpendicular to the ruling through q, in the plane of the axis.
     const Vector ruling = axis + (cone->topRadius - cone->bottomRadius) * out;
     n = glm::normalize(out - glm::dot(out, ruling) / glm::dot(ruling, ruling) * ruling);
+  } else if (const auto* egg = scene.optic.shape().as<EllipsoidMirror>()) {
+    const glm::dmat3 own = rotationMatrix(egg->rotationDegrees);
+    n = glm::normalize(own * (glm::transpose(own) * (q - egg->centre) / (egg->radii * egg->radii)));
+  } else if (const auto* bowl = scene.optic.shape().as<ParaboloidMirror>()) {
+    // Half way between the focus and what comes in along the axis.
+    const Direction axis = glm::normalize(bowl->axis);
+    n = glm::normalize(axis + glm::normalize(bowl->vertex + bowl->focalLength * axis - q));
   } else {
     n = glm::normalize(q - shapeAs<SphereMirror>(scene.optic.shape()).centre);
   }
@@ -199,7 +207,7 @@ TEST(Facts, F7NoFoldOnConvexMirrors) {
 }
 
 TEST(Facts, F8HalvingAnEdgeQuartersItsError) {
-  for (const ShapeKind kind : {ShapeKind::cylinder, ShapeKind::sphere, ShapeKind::cone}) {
+  for (const ShapeKind kind : curvedShapeKinds) {
     std::vector<double> ratios;
     for (unsigned seed = 0; seed < scenes; ++seed) {
       Random random(seed);

@@ -256,5 +256,31 @@ TEST(Sculpture, RandomScenes) {
   }
 }
 
+// Fact G9.
+TEST(Sculpture, OutwardStaysOutwardOnEveryConvexMirror) {
+  for (const ShapeKind kind : allShapeKinds) {
+    std::size_t whole = 0;
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+      SCOPED_TRACE("mirror " + std::to_string(int(kind)) + ", seed " + std::to_string(seed));
+      Random random(seed);
+      const RandomScene scene = makeRandomScene(kind, random);
+      DeformInput input;
+      input.map.optic = scene.optic;
+      input.map.eye = input.camera.eye = scene.eye;
+      input.map.depthScale = random.uniform(0.1, 2);
+      input.camera.target = scene.onMirror;
+      input.tolerancePixels = 0;
+      input.original =
+          placed(makeBox(Vector(random.uniform(0.05, 0.3)), 3), makeRandomOriginal(scene, random));
+      const Sculpture s = makeSculpture(input);
+      if (s.originalStatus[0] != input.original->positions.size()) continue;
+      ++whole;
+      EXPECT_TRUE(isClosed(s.mesh));
+      EXPECT_GT(signedVolume(s.mesh), 0);
+    }
+    EXPECT_GT(whole, 500u);
+  }
+}
+
 }  // namespace
 }  // namespace anamorph

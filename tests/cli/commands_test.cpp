@@ -22,6 +22,9 @@ const std::string data = ANAMORPH_TEST_DATA;
 const std::string cube = data + "/meshes/cube.obj";
 const std::string sphereScene = data + "/scenes/thesis-sphere.json";
 const std::string cylinderScene = data + "/scenes/thesis-cylinder.json";
+// The eye is on the mirror.
+const std::string touchingScene = R"({"Eye": [0, -5, 5], "Objects": [
+    {"type": "sphere", "position": [0, 0, 5], "radius": 5}, {"type": "mesh", "position": [0, 5, 1]}]})";
 
 const JsonValue& member(const JsonValue& object, const std::string& key) {
   const auto at = std::find(object.keys.begin(), object.keys.end(), key);
@@ -178,12 +181,25 @@ TEST(Deform, UnmappedVerticesKeepTheirLineAndLoseTheirFaces) {
             "original position kept, faces dropped");
 }
 
-TEST(Deform, ThesisCylinderIsExplainedAndNothingIsWritten) {
+// Its eye is within the cylinder, continued, and sees the far wall through the open end.
+TEST(Deform, ThesisCylinderIsMappedInPartAndSaysSo) {
   const TemporaryFolder folder;
-  const Result result = run("deform " + cylinderScene + " " + cube + " -o " + (folder / "s.obj"));
+  const Result result = run("deform " + cylinderScene + " " + data + "/meshes/box.obj --tolerance off -o " +
+                            (folder / "s.obj"));
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.err,
+              HasSubstr("1667 of 6146 vertices mapped (4479 are in front of the mirror); faces with an "
+                        "unmapped corner are left out"));
+  EXPECT_FALSE(loadMesh(folder / "s.obj").mesh.triangles.empty());
+}
+
+TEST(Deform, WhatIsWrongWithTheEyeIsExplainedAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  writeText(folder / "on.json", touchingScene);
+  const Result result = run("deform " + (folder / "on.json") + " " + cube + " -o " + (folder / "s.obj"));
   EXPECT_EQ(result.exitCode, 1);
-  EXPECT_THAT(result.err, HasSubstr("the eye is inside the cylinder"));
-  EXPECT_EQ(folder.fileCount(), 0u);
+  EXPECT_THAT(result.err, HasSubstr("the eye is on the surface of the mirror"));
+  EXPECT_EQ(folder.fileCount(), 1u);
 }
 
 TEST(Deform, ModelForALevelIsFittedIntoItsOriginal) {
@@ -320,9 +336,11 @@ TEST(Check, NamesWhatIsFineAndWhatIsNot) {
                                   "mapped, match excellent"));
   EXPECT_THAT(good.out, HasSubstr("thesis scene, sphere mirror"));
   EXPECT_THAT(good.out, HasSubstr("mesh, 8 vertices, 12 triangles, 2 x 2 x 2, closed"));
-  const Result bad = run("check " + cylinderScene + " nothing.obj 1-plane");
+  const TemporaryFolder folder;
+  writeText(folder / "on.json", touchingScene);
+  const Result bad = run("check " + (folder / "on.json") + " nothing.obj 1-plane");
   EXPECT_EQ(bad.exitCode, 1);
-  EXPECT_THAT(bad.err, HasSubstr("the eye is inside the cylinder"));
+  EXPECT_THAT(bad.err, HasSubstr("the eye is on the surface of the mirror"));
   EXPECT_THAT(bad.err, HasSubstr("nothing.obj: cannot open: No such file or directory"));
   EXPECT_THAT(bad.err, HasSubstr("2 of 3 files have faults"));
   EXPECT_THAT(bad.out, HasSubstr("1-plane: level"));

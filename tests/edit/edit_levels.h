@@ -120,6 +120,13 @@ inline double differenceOf(const Level& a, const Level& b) {
     return std::max({difference, std::abs(cone->bottomRadius - other.bottomRadius),
                      std::abs(cone->topRadius - other.topRadius)});
   }
+  if (const auto* bowl = a.optic.shape().as<ParaboloidMirror>()) {
+    const auto& other = shapeAs<ParaboloidMirror>(b.optic.shape());
+    point(bowl->vertex, other.vertex);
+    point(bowl->axis, other.axis);
+    return std::max({difference, std::abs(bowl->focalLength - other.focalLength),
+                     std::abs(bowl->radius - other.radius), std::abs(bowl->innerRadius - other.innerRadius)});
+  }
   for (std::size_t i = 0; i < m.positions.size(); ++i) point(m.positions[i], n.positions[i]);
   return difference;
 }

@@ -266,15 +266,15 @@ TEST(LiveUpdater, ProblemComesAndGoes) {
   LiveUpdater updater({}, 2);
   updater.finish(session, quick);
   const Level good = session.level();
-  Level inside = good;
-  inside.camera.eye = shapeAs<SphereMirror>(good.optic.shape()).centre + Vector(0, 0, 0.5);
+  Level touching = good;
+  touching.camera.eye = pointAt(good.optic.shape(), 0.2, 0.6);
   Level flat = good;
   changeShape<SphereMirror>(flat.optic.shape(), [](auto& s) { s.radius = 0; });
   Level tiny = good;
   tiny.original.placement.scale = Vector(0);
   Level beside = good;
   beside.original.placement.position.x = 200;
-  for (const Level& bad : {inside, flat, tiny, beside}) {
+  for (const Level& bad : {touching, flat, tiny, beside}) {
     // In one drag ...
     for (const Level* level : {&bad, &good, &bad, &good}) {
       session.change(*level);

@@ -84,13 +84,18 @@ class RandomLevel {
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
   Shape mirror() {
-    switch (whole(0, 3)) {
+    switch (whole(0, 5)) {
       case 0:
         return PlaneMirror{{point(), point(), point(), point()}};
       case 1:
         return CylinderMirror{point(), point(), length()};
       case 2:
         return ConeMirror{point(), point(), coin() ? 0 : length(), length()};
+      case 3:
+        return EllipsoidMirror{point(), lengths(), coin() ? Vector(0) : point()};
+      case 4:
+        return ParaboloidMirror{point(), Vector(1, 0, 0) + color(), length(), length(),
+                                coin() ? 0 : length()};
       default:
         return SphereMirror{point(), length()};
     }

@@ -71,5 +71,45 @@ TEST(Placement, ComparesByValue) {
   EXPECT_NE(Placement{}, (Placement{.scale = Vector(2)}));
 }
 
+double matrixDifference(const glm::dmat3& a, const glm::dmat3& b) {
+  return glm::length(a[0] - b[0]) + glm::length(a[1] - b[1]) + glm::length(a[2] - b[2]);
+}
+
+TEST(EulerDegrees, GiveTheSameRotation) {
+  for (unsigned seed = 0; seed < 5000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto number = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const auto turns = [&] { return 90.0 * std::uniform_int_distribution<int>(-4, 4)(random); };
+    const auto anyAngles = [&] {
+      const double x = number(-400, 400), y = number(-400, 400);
+      return Vector(x, y, number(-400, 400));
+    };
+    Vector angles = anyAngles();
+    if (seed % 3 == 0) angles.y = turns();                             // gimbal lock
+    if (seed % 3 == 1) angles.y = 90 + std::pow(10, number(-14, -3));  // or nearly so
+    if (seed % 4 == 0) angles.x = turns(), angles.z = turns();
+    const glm::dmat3 rotation = rotationMatrix(angles);
+    const Vector found = eulerDegrees(rotation, anyAngles());
+    EXPECT_LT(matrixDifference(rotationMatrix(found), rotation), 1e-10);
+    // Near the angles that made it, they are found again (where they are unique).
+    const Vector again = eulerDegrees(rotation, angles);
+    if (std::abs(std::cos(radians(angles.y))) > 1e-3) {
+      EXPECT_LT(glm::length(again - angles), 1e-8);
+    }
+    EXPECT_LT(matrixDifference(rotationMatrix(again), rotation), 1e-10);
+  }
+}
+
+TEST(EulerDegrees, StayNearWhileTurning) {
+  Vector angles(0);
+  for (int i = 0; i < 720; ++i) {  // twice around z: 720 degrees, not back to 0
+    angles = eulerDegrees(rotationMatrix({0, 0, 1}) * rotationMatrix(angles), angles);
+  }
+  EXPECT_LT(glm::length(angles - Vector(0, 0, 720)), 1e-6);
+}
+
 }  // namespace
 }  // namespace anamorph

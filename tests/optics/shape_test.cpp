@@ -6,6 +6,7 @@
 #include "optics/optic.h"
 #include "random_scene.h"
 #include "shapes.h"
+#include "surface_of.h"
 
 namespace anamorph {
 namespace {
@@ -81,17 +82,8 @@ TEST(Shapes, TessellationLiesOnTheSurface) {
       double off = 0;
       if (const auto* plane = scene.optic.shape().as<PlaneMirror>()) {
         off = glm::dot(p - plane->corners[0], plane->normal());
-      } else if (const auto* tube = scene.optic.shape().as<CylinderMirror>()) {
-        const Direction axis = glm::normalize(tube->top - tube->bottom);
-        const Vector w = p - tube->bottom;
-        off = glm::length(w - glm::dot(w, axis) * axis) - tube->radius;
-      } else if (const auto* cone = scene.optic.shape().as<ConeMirror>()) {
-        const double h = glm::dot(p - cone->bottom, cone->axis()), v = h / cone->height();
-        off = glm::length(p - cone->bottom - h * cone->axis()) -
-              ((1 - v) * cone->bottomRadius + v * cone->topRadius);
       } else {
-        const auto& sphere = shapeAs<SphereMirror>(scene.optic.shape());
-        off = glm::length(p - sphere.centre) - sphere.radius;
+        off = surfaceOf(scene.optic.shape()).value(p);
       }
       EXPECT_NEAR(off, 0, 1e-12);
     }
@@ -129,6 +121,11 @@ TEST(MirrorProblems, BadShapesAreNamed) {
       {ConeMirror{a, d, 1, -2}, "expected a radius of 0 or more, got -2"},
       {ConeMirror{a, d, std::nan(""), 1}, "expected a radius of 0 or more, got nan"},
       {ConeMirror{a, d, 0, 0}, "expected a bottom or a top radius > 0, got a cone of width 0"},
+      {EllipsoidMirror{a, {1, 0, 1}, a}, "expected a radius > 0, got 0"},
+      {ParaboloidMirror{a, a, 1, 1, 0}, "expected an axis that is not 0"},
+      {ParaboloidMirror{a, d, -1, 1, 0}, "expected a focal length > 0, got -1"},
+      {ParaboloidMirror{a, d, 1, 0, 0}, "expected a radius > 0, got 0"},
+      {ParaboloidMirror{a, d, 1, 2, 2}, "expected an inner radius from 0 to below the radius 2, got 2"},
       {SphereMirror{a, -4}, "expected a radius > 0, got -4"},
       {SphereMirror{a, std::nan("")}, "expected a radius > 0, got nan"},
   };
@@ -146,18 +143,55 @@ TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
     const char* message;
   } table[] = {
       {PlaneMirror{}, {5, 0, 3}, "edge-on and nothing in it. Move the eye away from that plane."},
-      {SphereMirror{Point(0), 4}, {1, 0, 0}, "the eye is inside the sphere: it is 1 from the centre"},
-      {SphereMirror{Point(0), 4}, {4, 0, 0}, "the eye is inside the sphere"},
-      {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 5, 7}, "it is 5 from the axis and the radius is 10"},
-      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5},
-       {0, 5, 8},
-       "it is 5 from the axis and the radius there is 6"},
-      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 3, 12}, "the eye is inside the cone (continued"},
+      {SphereMirror{Point(0), 4}, {4, 0, 0}, "on the surface of the mirror"},
+      {SphereMirror{Point(0), 4},
+       {0, 4 * (1 - 1e-7), 0},
+       "Move the eye away from the surface, to either side."},
+      {SphereMirror{Point(0), 4},
+       {5e6, 0, 0},
+       "the mirror's radius 4 is too small for an eye that is 5e+06 away"},
+      {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 10, 0.5}, "on the surface of the mirror"},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 6, 8}, "on the surface of the mirror"},
+      {EllipsoidMirror{{0, 0, 0}, {1, 2, 3}, {0, 0, 90}}, {2, 0, 0}, "on the surface of the mirror"},
+      {ParaboloidMirror{{0, 0, 0}, {0, 0, 1}, 1, 2, 0}, {0, 0, 0}, "on the surface of the mirror"},
+      {ParaboloidMirror{{0, 0, 0}, {0, 0, 1}, 1, 2, 0}, {3e6, 0, 0}, "radius 2 is too small"},
   };
   for (const auto& row : table) {
     const auto problem = findEyeProblem(row.shape, row.eye);
     ASSERT_TRUE(problem) << row.message;
     EXPECT_THAT(*problem, HasSubstr(row.message));
+  }
+}
+
+// Both sides reflect: from within a mirror, or from where it has ended, there is something to see.
+TEST(MirrorProblems, AnEyeWithinOrBesideTheEndIsNone) {
+  const struct {
+    Shape shape;
+    Point eye;
+  } table[] = {
+      {SphereMirror{Point(0), 4}, {1, 0, 0}},
+      {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 5, 7}},
+      {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 10, 7}},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 5, 8}},
+      {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 3, 12}},
+      {EllipsoidMirror{{0, 0, 0}, {1, 2, 3}, {0, 0, 90}}, {0, 0, 0}},
+      {ParaboloidMirror{{0, 0, 0}, {0, 0, 1}, 1, 2, 0}, {0, 0, 1}},
+      {ParaboloidMirror{{0, 0, 0}, {0, 0, 1}, 1, 2, 0.5}, {0, 0, 0}},
+  };
+  for (const auto& row : table)
+    EXPECT_EQ(findEyeProblem(row.shape, row.eye), std::nullopt) << shapeName(row.shape);
+}
+
+TEST(MirrorProblems, AnEyeOnTheSurfaceFindsAWayOff) {
+  for (const ShapeKind kind : curvedShapeKinds) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+      SCOPED_TRACE("kind " + std::to_string(int(kind)) + " seed " + std::to_string(seed));
+      Random random(seed);
+      const Shape shape = makeRandomScene(kind, random).optic.shape();
+      const Point eye = pointAt(shape, random.uniform(0, 1), random.uniform(0, 1));
+      ASSERT_TRUE(findEyeProblem(shape, eye));
+      EXPECT_EQ(findEyeProblem(shape, eyeOutside(shape, eye, random.point(10))), std::nullopt);
+    }
   }
 }
 

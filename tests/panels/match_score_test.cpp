@@ -30,7 +30,7 @@ TEST(MatchScore, IsUnknownBeforeItIsMeasured) {
 
 TEST(MatchScore, OfAProblemIsNothingAndSaysWhy) {
   LevelResult result = measured(1);
-  result.problem = "the eye is inside the sphere.";
+  result.problem = "the eye is on the surface of the mirror.";
   const MatchScore score = matchScore(result);
   EXPECT_EQ(score.fraction, 0);
   EXPECT_EQ(score.percent, "0 %");

@@ -29,10 +29,9 @@ std::vector<Selection> selectionsOf(const Level& level) {
   return all;
 }
 
-// The eye in the middle of the mirror.
-void moveEyeIntoMirror(Editor& editor) {
+void moveEyeOntoMirror(Editor& editor) {
   Level level = editor.session.level();
-  level.camera.eye = boundingBox(tessellate(level.optic.shape()).mesh.positions).centre();
+  level.camera.eye = pointAt(level.optic.shape(), 0.2, 0.6);
   editor.session.edit(level);
 }
 
@@ -69,7 +68,7 @@ constexpr State states[] = {
        toggleLookThrough(editor);
        advance(editor, 1);
      }},
-    {"eye inside the mirror", [](Editor& editor, UiState&) { moveEyeIntoMirror(editor); }},
+    {"eye on the mirror", [](Editor& editor, UiState&) { moveEyeOntoMirror(editor); }},
     {"original shown by a file that is gone",
      [](Editor& editor, UiState&) {
        Level level = editor.session.level();

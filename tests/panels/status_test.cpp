@@ -140,7 +140,7 @@ TEST(StateWords, SayNoMoreThanIsTrue) {
     result.complete = true;
     EXPECT_STREQ(stateWords(result, false), refines ? "refined and measured" : "not refined, measured");
   }
-  result.problem = "the eye is inside the sphere";
+  result.problem = "the eye is on the surface of the mirror";
   EXPECT_STREQ(stateWords(result, false), "no sculpture");
 }
 

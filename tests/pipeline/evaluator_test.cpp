@@ -161,7 +161,7 @@ void expectGrown(const LevelResult& before, const LevelResult& after) {
 TEST(Evaluator, PartsOnlyEverGainThings) {
   std::vector<Level> levels = quickLevels();
   levels.push_back(levels[2]);
-  levels.back().camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre;
+  levels.back().camera.eye = pointAt(levels[2].optic.shape(), 0.2, 0.6);
   for (const Level& level : levels) {
     Evaluator evaluator;
     for (int run = 0; run < 2; ++run) {
@@ -246,7 +246,7 @@ struct Trouble {
 std::vector<Trouble> troubles() {
   const std::vector<Level> levels = quickLevels();
   std::vector<Trouble> all{
-      {"eye in the sphere", levels[2], "inside"},
+      {"eye on the sphere", levels[2], "on the surface of the mirror"},
       {"sphere without radius", levels[2], "sphere mirror cannot be used"},
       {"cylinder without radius", levels[1], "cylinder mirror cannot be used"},
       {"plane without area", levels[0], "plane mirror cannot be used"},
@@ -255,7 +255,7 @@ std::vector<Trouble> troubles() {
       {"eye in the original", levels[0], "the eye is inside the original's box"},
       {"original beside the mirror", levels[0], "no triangle of the original can be mapped"},
       {"original before the mirror", levels[2], "between the eye and the mirror"}};
-  all[0].level.camera.eye = shapeAs<SphereMirror>(levels[2].optic.shape()).centre + Vector(0, 0, 0.5);
+  all[0].level.camera.eye = pointAt(levels[2].optic.shape(), 0.2, 0.6);
   changeShape<SphereMirror>(all[1].level.optic.shape(), [](auto& s) { s.radius = 0; });
   changeShape<CylinderMirror>(all[2].level.optic.shape(), [](auto& s) { s.radius = 0; });
   changeShape<PlaneMirror>(all[3].level.optic.shape(), [](auto& s) { s.corners.fill(Point(1)); });

@@ -47,6 +47,12 @@ namespace cone {
 namespace sphere {
 #include "../shaders/shapes/sphere.glsl"
 }
+namespace ellipsoid {
+#include "../shaders/shapes/ellipsoid.glsl"
+}
+namespace paraboloid {
+#include "../shaders/shapes/paraboloid.glsl"
+}
 
 }  // namespace glsl
 
