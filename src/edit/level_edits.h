@@ -62,11 +62,6 @@ Level rotated(const Level& level, const Selection& selection, const Point& origi
 /// factor is needed for several axes, the one that differs most from 1 is taken.
 Level scaled(const Level& level, const Selection& selection, const Point& origin, const Vector& factors);
 
-/// Angles with rotationMatrix(angles) = `rotation`, of all such the ones nearest to `near`. With y at +-90
-/// degrees x and z turn about the same axis; z then keeps its angle. Rounded to 1e-9 degrees, so that files
-/// stay readable.
-Vector eulerDegrees(const glm::dmat3& rotation, const Vector& near);
-
 /// Within the coordinates that a level file can have.
 Point clampedPoint(const Point& point);
 

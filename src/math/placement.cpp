@@ -16,6 +16,27 @@ glm::dmat3 rotationMatrix(const Vector& rotationDegrees) {
          turn(rotationDegrees.x, y, z, x, 0);
 }
 
+// R = Rz(c) Ry(b) Rx(a). Once c is chosen the other two follow from what is left of the rotation, exactly and
+// without dividing (Shoemake 1994, "Euler angle conversion"): it is near cos b = 0 that the usual three atan2
+// lose digits.
+Vector eulerDegrees(const glm::dmat3& r, const Vector& near) {
+  const double cosine = std::hypot(r[0][0], r[0][1]);
+  const double c = cosine > 1e-12 ? std::atan2(r[0][1], r[0][0]) : radians(near.z);
+  const double cc = std::cos(c), sc = std::sin(c);
+  const double b = std::atan2(-r[0][2], cc * r[0][0] + sc * r[0][1]);
+  const double a = std::atan2(sc * r[2][0] - cc * r[2][1], cc * r[1][1] - sc * r[1][0]);
+  const auto nearest = [&](const Vector& angles) {
+    Vector result;
+    for (int i = 0; i < 3; ++i) result[i] = near[i] + std::remainder(angles[i] - near[i], 360.0);
+    return result;
+  };
+  const Vector first = nearest({degrees(a), degrees(b), degrees(c)});
+  const Vector second = nearest({degrees(a) + 180, 180 - degrees(b), degrees(c) + 180});
+  Vector best = lengthSquared(second - near) < lengthSquared(first - near) ? second : first;
+  for (int i = 0; i < 3; ++i) best[i] = std::round(best[i] * 1e9) / 1e9 + 0.0;  // + 0.0: no -0
+  return best;
+}
+
 PlacementMap::PlacementMap(const Placement& placement)
     : position_(placement.position),
       linear_(rotationMatrix(placement.rotationDegrees)),

@@ -18,6 +18,11 @@ struct Placement {
 /// Rz * Ry * Rx, angles in degrees.
 glm::dmat3 rotationMatrix(const Vector& rotationDegrees);
 
+/// Angles with rotationMatrix(angles) = `rotation`, of all such the ones nearest to `near`. With y at +-90
+/// degrees x and z turn about the same axis; z then keeps its angle. Rounded to 1e-9 degrees, so that files
+/// stay readable.
+Vector eulerDegrees(const glm::dmat3& rotation, const Vector& near);
+
 /// position + R * (scale * p). With no rotation and scale 1 the result is exactly position + p.
 class PlacementMap {
  public:

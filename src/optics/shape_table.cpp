@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "optics/cone.h"
 #include "optics/cylinder.h"
+#include "optics/mesh_mirror.h"
 #include "optics/plane.h"
 #include "optics/sphere.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 std::vector<ShapeType>& table() {
   static std::vector<ShapeType> types{shapeType<PlaneMirror>(), shapeType<CylinderMirror>(),
-                                      shapeType<SphereMirror>(), shapeType<ConeMirror>()};
+                                      shapeType<SphereMirror>(), shapeType<ConeMirror>(),
+                                      shapeType<MeshMirror>()};
   return types;
 }
 

@@ -15,6 +15,7 @@
 #include "edit/mesh_import.h"
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
+#include "level/surface_files.h"
 #include "panels/browser_places.h"
 #include "panels/file_browser.h"
 #include "panels/let_go.h"
@@ -98,12 +99,13 @@ void saveWhatWaits(Editor& editor, UiState& ui) {
   if (wish.generation == editor.session.generation()) saveTo(wish.path, wish.mayReplace, editor, ui);
 }
 
-// A level is saved over its own file, but never over its mesh.
+// A level is saved over its own file, but never over its meshes.
 std::vector<fs::path> filesToKeep(const Editor& editor, const FilePurpose& purpose) {
   const fs::path& path = editor.session.path();
   std::vector<fs::path> files;
   if (!path.empty() && purpose != FilePurpose::saveLevel) files.push_back(path);
   if (auto mesh = meshFileOf(editor.session.level(), path)) files.push_back(std::move(*mesh));
+  for (fs::path& surface : surfaceFilesOf(editor.session.level(), path)) files.push_back(std::move(surface));
   return files;
 }
 

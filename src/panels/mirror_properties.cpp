@@ -81,15 +81,22 @@ bool shapeRows(Shape& shape) {
 
 bool shapeChoice(Shape& shape, const Point& eye) {
   std::vector<const char*> labels;
-  for (const ShapeType& type : shapeTypes()) labels.push_back(type.label);
-  const int old = static_cast<int>(shapeIndex(shape));
+  std::vector<std::size_t> kinds;
+  int old = 0;
+  for (std::size_t kind = 0; kind < shapeTypes().size(); ++kind) {
+    const bool isOwn = kind == shapeIndex(shape);
+    if (shapeTypes()[kind].needsFile && !isOwn) continue;
+    if (isOwn) old = static_cast<int>(kinds.size());
+    kinds.push_back(kind);
+    labels.push_back(shapeTypes()[kind].label);
+  }
   int chosen = old;
   if (!choiceRow("Shape", chosen, labels,
                  "Another one has the same middle, and is as large as fits the old one.") ||
       chosen == old) {
     return false;
   }
-  shape = mirrorOfKind(static_cast<std::size_t>(chosen), shape, eye);
+  shape = mirrorOfKind(kinds[static_cast<std::size_t>(chosen)], shape, eye);
   return true;
 }
 
