@@ -6,7 +6,7 @@ bool betweenEnds(float along, vec4 data[shapeVectors]) {
 }
 
 // Counted from the ray's nearest point to the middle, where the numbers are small and little cancels.
-float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMax) {
+float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMin, float tMax) {
   vec3 axis = vec3(data[1]);
   float height = data[1].w, slope = data[2].x;
   vec3 toMiddle = origin - vec3(data[0]) - 0.5f * height * axis;
@@ -23,9 +23,9 @@ float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float
   float one = a != 0.0f ? q / a : 1e30f, other = q != 0.0f ? c / q : 0.0f;  // a ray along a ruling meets it once
   float first = min(one, other), second = max(one, other);
   float t = first + shift;
-  if (t > 0.0f && t < tMax && betweenEnds(startAlong + first * rise, data)) return t;
+  if (t > tMin && t < tMax && betweenEnds(startAlong + first * rise, data)) return t;
   t = second + shift;
-  return t > 0.0f && t < tMax && betweenEnds(startAlong + second * rise, data) ? t : -1.0f;
+  return t > tMin && t < tMax && betweenEnds(startAlong + second * rise, data) ? t : -1.0f;
 }
 
 vec3 shapeNormal(vec3 point, vec4 data[shapeVectors]) {

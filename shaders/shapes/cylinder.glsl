@@ -12,7 +12,7 @@ bool betweenEnds(vec3 point, vec4 data[shapeVectors]) {
 
 // The discriminant is taken at the ray's nearest point to the axis, where nothing cancels (Haines et al. 2019,
 // "Precision improvements for ray/sphere intersection").
-float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMax) {
+float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMin, float tMax) {
   vec3 axis = vec3(data[1]);
   vec3 w = acrossAxis(origin - vec3(data[0]), axis), u = acrossAxis(direction, axis);
   float a = dot(u, u);
@@ -23,8 +23,8 @@ float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float
   if (!(discriminant >= 0.0f)) return -1.0f;
   float root = sqrt(discriminant / a);
   float first = -b / a - root, second = -b / a + root;
-  if (first > 0.0f && first < tMax && betweenEnds(origin + first * direction, data)) return first;
-  if (second > 0.0f && second < tMax && betweenEnds(origin + second * direction, data)) return second;
+  if (first > tMin && first < tMax && betweenEnds(origin + first * direction, data)) return first;
+  if (second > tMin && second < tMax && betweenEnds(origin + second * direction, data)) return second;
   return -1.0f;
 }
 

@@ -1,6 +1,6 @@
 // No mirror. What a shape answers is said at plane.glsl.
 
-float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMax) {
+float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMin, float tMax) {
   return -1.0f;
 }
 

@@ -3,7 +3,7 @@
 
 // The discriminant is taken at the ray's nearest point to the centre, where nothing cancels (Haines et al. 2019,
 // "Precision improvements for ray/sphere intersection").
-float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMax) {
+float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float tMin, float tMax) {
   vec3 w = origin - vec3(data[0]);
   float a = dot(direction, direction), b = dot(direction, w);
   vec3 nearest = w - (b / a) * direction;
@@ -11,8 +11,8 @@ float intersectShape(vec3 origin, vec3 direction, vec4 data[shapeVectors], float
   if (!(discriminant >= 0.0f)) return -1.0f;
   float root = sqrt(discriminant / a);
   float first = -b / a - root, second = -b / a + root;
-  if (first > 0.0f && first < tMax) return first;
-  return second > 0.0f && second < tMax ? second : -1.0f;
+  if (first > tMin && first < tMax) return first;
+  return second > tMin && second < tMax ? second : -1.0f;
 }
 
 vec3 shapeNormal(vec3 point, vec4 data[shapeVectors]) {

@@ -55,7 +55,8 @@ struct ShapeExtent {
   double width = 6, height = 6;
 };
 
-/// The lines by which a surface is drawn that light passes through: at even steps of its parameters u and v.
+/// The lines by which a surface is drawn that light passes through: at even steps of its parameters u and v. Without
+/// steps some of its triangles are.
 struct SurfaceLines {
   int stepsU = 8, stepsV = 8;            ///< intervals between lines of constant u, of constant v
   bool closedU = false;                  ///< u = 1 is u = 0 again

@@ -46,6 +46,7 @@ std::vector<std::string> readMirrorFiles(LevelScene& level, const std::filesyste
     }
     file = result;
   });
+  boxOf(level.optic);  // its tree is made here, where nobody waits for a frame
   return warnings;
 }
 

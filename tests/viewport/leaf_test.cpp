@@ -76,7 +76,7 @@ struct Agreement {
 struct ShapeFunctions {
   const char* name;
   testing::ShapeKind kind;
-  float (*intersectShape)(vec3, vec3, vec4*, float);
+  float (*intersectShape)(vec3, vec3, vec4*, float, float);
   vec3 (*shapeNormal)(vec3, vec4*);
   float (*borderDistance)(vec3, vec4*);
 };
@@ -109,10 +109,10 @@ TEST_P(ShapeLeaf, SaysWhatTheShapeSays) {
       const Point aim = box.centre() + random.uniform(0, 0.7) * size * random.direction();
       const Ray ray = randomRay(scene.eye + random.point(2), aim);
       const vec3 origin(ray.origin), direction(ray.direction);
-      const float t = leaf.intersectShape(origin, direction, data.data(), 1e30f);
+      const float t = leaf.intersectShape(origin, direction, data.data(), 0, 1e30f);
       agreement.add(ray, core, t, size);
       if (!(t > 0) || !isClear(ray, core, size)) continue;
-      EXPECT_LT(leaf.intersectShape(origin, direction, data.data(), 0.999f * t), 0) << "not before tMax";
+      EXPECT_LT(leaf.intersectShape(origin, direction, data.data(), 0, 0.999f * t), 0) << "not before tMax";
       const SurfaceHit hit = *intersect(shape, ray);
       const Vector normal(leaf.shapeNormal(vec3(hit.point), data.data()));
       EXPECT_NEAR(std::abs(glm::dot(normal, hit.normal)), 1, 1e-5);
