@@ -263,8 +263,8 @@ Mesh read(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits
   std::istream stream(&text);
   stream.exceptions(std::ios::badbit);  // without it the stream keeps the Errors of ObjText to itself
   tinyobj::callback_t callbacks;
-  callbacks.index_cb = [](void* data, tinyobj::index_t* corners, int count) {
-    static_cast<ObjText*>(data)->addFace(corners, count);
+  callbacks.index_cb = [](void* data, tinyobj::index_t* face, int count) {
+    static_cast<ObjText*>(data)->addFace(face, count);
   };
   tinyobj::LoadObjWithCallback(stream, callbacks, &text);
 
