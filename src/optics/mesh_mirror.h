@@ -20,7 +20,7 @@
 namespace anamorph {
 
 struct MeshMirror {
-  static constexpr const char *name = "mesh", *label = "Mesh";
+  static constexpr const char *name = "mesh", *label = "Mesh from a file...";
   static constexpr int since = 2;
   static constexpr bool needsFile = true;
   /// More would take a computer's memory and seconds of every drag.

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "base/language.h"
 #include "edit/replacements.h"
 #include "optics/shape_table.h"
+#include "panels/file_flow.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -79,25 +81,19 @@ bool shapeRows(Shape& shape) {
   return sizes.changed || points.changed;
 }
 
-bool shapeChoice(Shape& shape, const Point& eye) {
+// A kind that needs a file comes into the level when that has been chosen and read.
+bool shapeChoice(Shape& shape, Editor& editor, UiState& ui) {
   std::vector<const char*> labels;
-  std::vector<std::size_t> kinds;
-  int old = 0;
-  for (std::size_t kind = 0; kind < shapeTypes().size(); ++kind) {
-    const bool isOwn = kind == shapeIndex(shape);
-    if (shapeTypes()[kind].needsFile && !isOwn) continue;
-    if (isOwn) old = static_cast<int>(kinds.size());
-    kinds.push_back(kind);
-    labels.push_back(shapeTypes()[kind].label);
-  }
-  int chosen = old;
+  for (const ShapeType& type : shapeTypes()) labels.push_back(type.label);
+  int chosen = static_cast<int>(shapeIndex(shape));
   if (!choiceRow("Shape", chosen, labels,
-                 "Another one has the same middle, and is as large as fits the old one.") ||
-      chosen == old) {
+                 "Another one has the same middle, and is as large as fits the old one.")) {
     return false;
   }
-  shape = mirrorOfKind(kinds[static_cast<std::size_t>(chosen)], shape, eye);
-  return true;
+  const auto kind = static_cast<std::size_t>(chosen);
+  if (shapeTypes()[kind].needsFile) chooseMirror(editor, ui);
+  const Shape old = std::exchange(shape, mirrorOfKind(kind, shape, editor.session.level().camera.eye));
+  return !(old == shape);
 }
 
 }  // namespace
@@ -115,7 +111,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
       level.optic.parts.front().kind = reflects ? OpticKind::mirror : OpticKind::canvas;
       changed = true;
     }
-    changed |= shapeChoice(shape, level.camera.eye);
+    changed |= shapeChoice(shape, editor, ui);
     changed |= shapeRows(shape);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
