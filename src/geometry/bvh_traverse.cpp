@@ -80,7 +80,8 @@ enum class HitRule { any, nearest, exactNearest };
 /// Whether the ray meets a triangle of the block before tMax, which becomes the nearest one's distance.
 template <HitRule rule>
 ANAMORPH_ALWAYS_INLINE bool testBlock(const BvhData& bvh, const BvhBlock& block, const FloatRay& floatRay,
-                                      const Ray& ray, BvhHit& hit, double tMin, double& tMax) {
+                                      const ShearedRay& shearedRay, const Ray& ray, BvhHit& hit, double tMin,
+                                      double& tMax) {
   constexpr bool exact = rule == HitRule::exactNearest;
   prefetchPoints(bvh, block);
   bool found = false;
@@ -94,7 +95,7 @@ ANAMORPH_ALWAYS_INLINE bool testBlock(const BvhData& bvh, const BvhBlock& block,
     };
     BvhHit candidate{block.triangle[lane]};
     const TriangleCorners corners{corner(0), corner(1), corner(2)};
-    if (!(exact ? meetsExactly(ShearedRay(ray, floatRay), corners, candidate)
+    if (!(exact ? meetsExactly(shearedRay, corners, candidate)
                 : intersectTriangle(ray, corners, candidate))) {
       continue;
     }

@@ -6,6 +6,7 @@
 template <HitRule rule>
 ANAMORPH_TARGET bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, double tMin, double tMax) {
   const FloatRay r = makeFloatRay(ray, bvh.centre, bvh.radius);
+  const ShearedRay sheared(ray, r);
   const Lanes originX = Lanes::splat(r.origin[0]), inverseX = Lanes::splat(r.inverse[0]);
   const Lanes originY = Lanes::splat(r.origin[1]), inverseY = Lanes::splat(r.inverse[1]);
   const Lanes originZ = Lanes::splat(r.origin[2]), inverseZ = Lanes::splat(r.inverse[2]);
@@ -35,7 +36,7 @@ ANAMORPH_TARGET bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, doubl
         current = chooseNearest(bvh, node, children, distances, top);
         continue;
       }
-    } else if (testBlock<rule>(bvh, bvh.blocks[current ^ BvhWideNode::leaf], r, ray, hit, tMin, tMax)) {
+    } else if (testBlock<rule>(bvh, bvh.blocks[current ^ BvhWideNode::leaf], r, sheared, ray, hit, tMin, tMax)) {
       if constexpr (rule == HitRule::any) return true;
       found = true;
       farthest = static_cast<float>(tMax - r.shift);
