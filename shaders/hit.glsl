@@ -5,8 +5,6 @@
 #include "leaf/ground.glsl"
 #include "mirror.glsl"
 
-uniform sampler2D normals;
-
 struct Hit {
   int kind;
   int index;        // of the surface or the light

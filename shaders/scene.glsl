@@ -17,12 +17,13 @@ layout(std140) uniform Scene {
   vec4 groundLook[2];    // as materials[]
 
   vec4 mirrorShape[shapeVectors];  // as its file of shapes/ says
+  vec4 mirrorClip[mostClips];      // planes that cut it off: kept is xyz . point >= w, in its sizes
   vec4 mirrorTint;                    // rgb: colour times reflectance
 
   vec4 surfaceCentre[surfaceCount];  // xyz; w: radius
   vec4 surfaceLow[surfaceCount];     // its box
   vec4 surfaceHigh[surfaceCount];
-  vec4 materials[2 * surfaceCount];     // rgb colour, ambient; diffuse, specular, shininess, -
+  vec4 materials[2 * meshCount];        // rgb colour, ambient; diffuse, specular, shininess, -
   vec4 lightPosition[lightLimit];       // xyz
   vec4 lightColor[lightLimit];       // rgb times intensity
 
@@ -31,7 +32,7 @@ layout(std140) uniform Scene {
   vec4 screenDown;    // xyz to the lower corner; w: rows
 
   ivec4 counts;   // x: lights, y: reflections in a row, w: 1 when there is a ground
-  ivec4 options;  // x: 1 with shadows, y: 1 with light markers
+  ivec4 options;  // x: 1 with shadows, y: 1 with light markers, z: planes that cut the mirror off
   ivec4 surfaceOffsets[surfaceCount];  // where its nodes, triangles, vertices and normals begin
   ivec4 surfaceSize[surfaceCount];     // x: triangles, y: flags, z: root, as intersectSurfaces() keeps nodes
 };

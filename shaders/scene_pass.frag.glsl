@@ -3,7 +3,11 @@
 //
 // Two programs are made of this. The short one draws all pixels that see no mesh, no mirror and no place where a mesh
 // may cast a shadow, and discards the others; the other one, with TRACED, draws those. With GHOST there is a ghost,
-// with WIRES the edges of triangles can be drawn; SHAPE is that of mirror.glsl.
+// with WIRES the edges of triangles can be drawn; SHAPE is that of mirror.glsl. With BOXES_ONLY a mirror of triangles is
+// met where its box is.
+#ifndef TRACED
+#define BOXES_ONLY
+#endif
 #include "shading.glsl"
 
 uniform usampler2D seen;       // triangle_id.frag.glsl: solid things
@@ -18,7 +22,7 @@ MeshHit intersectSeen(uint id, Ray ray, out Corners corners) {
   MeshHit hit = noMeshHit;
   if (id == 0u) return hit;
   hit.triangle = int(id) - 1;
-  for (int i = 0; i < surfaceCount; ++i) {
+  for (int i = 0; i < meshCount; ++i) {
     int local = hit.triangle - surfaceOffsets[i].y;
     if (local >= 0 && local < surfaceSize[i].x) hit.surface = i;
   }

@@ -75,7 +75,7 @@ vec3 trace(Ray ray, Hit hit) {
       return color + weight * shade(hit, ray, travelled + hit.t, depth == 0 ? castsShadow : castsInMirror);
     }
     float cosine = abs(dot(ray.direction, hit.normal));
-    float rim = rimStrength * mirrorRim(borderDistance(hit.point, mirrorShape), cosine);
+    float rim = rimStrength * mirrorRim(mirrorBorder(hit.point), cosine);
     color += weight * rim * rimColor;
     weight *= (1.0 - rim) * mirrorTint.rgb;
     travelled += hit.t;

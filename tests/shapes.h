@@ -1,6 +1,7 @@
 // The concrete shapes, for tests that set one up or look into one.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "optics/cone.h"
 #include "optics/cylinder.h"
 #include "optics/ellipsoid.h"
+#include "optics/mesh_mirror.h"
 #include "optics/optic.h"
 #include "optics/paraboloid.h"
 #include "optics/plane.h"
@@ -37,6 +39,11 @@ const S& shapeAs(const Shape& shape) {
   if (!concrete)
     throw std::runtime_error(std::string("expected a ") + S::name + ", got a " + shapeName(shape));
   return *concrete;
+}
+
+/// A mirror of triangles, as if they had been read from a file.
+inline Shape meshMirror(SmoothMesh surface, const Placement& placement = {}) {
+  return MeshMirror{{"mirror.obj", std::make_shared<const SmoothMesh>(std::move(surface)), {}}, placement};
 }
 
 /// Lets `change` work on the shape as an S.

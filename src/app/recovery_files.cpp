@@ -53,7 +53,7 @@ LevelNow readNow(const fs::path& file) {
   LevelNow now{timeOf(file), {}};
   try {
     Session session;
-    session.open(file);
+    session.open({file, loadLevel(file), now.time});  // the meshes of mirrors need not be read to compare
     now.level = session.level();
   } catch (const Error&) {
     // Then what was rescued is all there is.

@@ -8,6 +8,7 @@
 #include "app/progress_file.h"
 #include "base/error.h"
 #include "base/language.h"
+#include "pipeline/mirror_files.h"
 
 namespace anamorph {
 namespace {
@@ -116,6 +117,7 @@ void WindowFiles::stopOffering() {
 // What it was rescued from is what it is kept in from now on.
 void WindowFiles::restore(Rescued& rescued, std::optional<LevelFile> file) {
   Editor& editor = gui_.editor();
+  readMirrorFiles(rescued.level, file ? file->loaded.level : Level(), rescued.path);
   editor.session.recover(rescued.path, std::move(file), rescued.level, rescued.fileTime);
   lookAfresh(editor);
   autosave_.adopt(std::move(rescued));

@@ -10,7 +10,9 @@
 #include "level/freeze.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "level/surface_files.h"
 #include "pipeline/evaluator.h"
+#include "pipeline/mirror_files.h"
 #include "pipeline/original.h"
 
 namespace anamorph {
@@ -126,12 +128,20 @@ bool isStandardInput(const std::string& name) {
   return name == "-";
 }
 
+LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path) {
+  for (std::string& warning : readMirrorFiles(loaded.level, path))
+    loaded.warnings.push_back(std::move(warning));
+  return loaded;
+}
+
 std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name) {
   if (isStandardInput(name)) {
-    return {standardInputName, parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName)};
+    return {standardInputName,
+            withMirrors(parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName),
+                        standardInputName)};
   }
   const std::string path = findLevel(name).string();
-  return {path, loadLevel(path)};
+  return {path, withMirrors(loadLevel(path), path)};
 }
 
 void checkInputs(const std::string& level, const std::string& model) {
@@ -154,6 +164,7 @@ std::vector<std::filesystem::path> filesRead(const std::string& file, const Leve
     if (!name.empty()) files.push_back(isStandardInput(name) ? "/dev/stdin" : name);
   }
   if (auto mesh = meshFileOf(level, file)) files.push_back(std::move(*mesh));
+  for (std::filesystem::path& surface : surfaceFilesOf(level, file)) files.push_back(std::move(surface));
   return files;
 }
 

@@ -61,12 +61,14 @@ bool isStandardInput(const std::string& name);
 /// The level or scene of that name: a file, an installed one, or standard input, and what the file is called. Throws
 /// Error.
 std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name);
+/// A level that was read, with the meshes of its mirrors and what there is to say of them; it is in the file `path`.
+LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path);
 /// Throws UsageError when both are standard input, Error for pipes.
 void checkInputs(const std::string& level, const std::string& model);
 /// Throws Error for a pipe, such as <(...) makes: those are read as standard input.
 void checkInput(const std::string& name);
 
-/// The files that are read for a level: its own, its mesh, and the MODEL where there is one.
+/// The files that are read for a level: its own, its meshes, and the MODEL where there is one.
 std::vector<std::filesystem::path> filesRead(const std::string& file, const Level& level,
                                              const std::string& model = {});
 

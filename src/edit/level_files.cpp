@@ -12,6 +12,8 @@
 #include "level/level_json.h"
 #include "level/level_library.h"
 #include "level/limits.h"
+#include "level/surface_files.h"
+#include "pipeline/mirror_files.h"
 
 namespace anamorph {
 namespace {
@@ -30,6 +32,16 @@ bool isInside(const FileShape& mesh) {
 bool haveFolderInCommon(const fs::path& file, const fs::path& folder) {
   const auto common = std::mismatch(file.begin(), file.end(), folder.begin(), folder.end()).first;
   return std::distance(file.begin(), common) > 1;
+}
+
+// Of a mesh's place what is below the level's folder, else only its name.
+std::string sentName(const fs::path& mesh, const fs::path& levelPath) {
+  if (!levelPath.empty()) {
+    const fs::path relative =
+        cleanPath(levelPath.parent_path() / mesh).lexically_relative(folderOf(levelPath));
+    if (!relative.empty() && *relative.begin() != "..") return relative.string();
+  }
+  return mesh.has_filename() ? mesh.filename().string() : mesh.string();
 }
 
 }  // namespace
@@ -62,6 +74,10 @@ Level withMeshFrom(Level level, const fs::path& from, const fs::path& to) {
   const bool stays = !mesh || isInside(*mesh) || mesh->path.empty() ||
                      (from.empty() == to.empty() && folderOf(from) == folderOf(to));
   if (!stays) mesh->path = meshNameFor(modelPath(*mesh, from), to);
+  if (from.empty() == to.empty() && folderOf(from) == folderOf(to)) return level;
+  changeSurfaceFiles(level, [&](SurfaceFile& file) {
+    if (!file.path.empty()) file.path = meshNameFor(surfacePath(file, from), to);
+  });
   return level;
 }
 
@@ -73,14 +89,13 @@ std::optional<fs::path> findMissingMesh(const Level& level, const fs::path& leve
 
 std::string levelAsText(const Level& level, const fs::path& path) {
   Level sent = level;
-  if (auto* mesh = std::get_if<FileShape>(&sent.original.shape)) {
-    const fs::path named = mesh->path;
-    const fs::path relative = path.empty() || isInside(*mesh)
-                                  ? fs::path()
-                                  : cleanPath(modelPath(*mesh, path)).lexically_relative(folderOf(path));
-    const bool below = !relative.empty() && *relative.begin() != "..";
-    if (below || named.has_filename()) mesh->path = (below ? relative : named.filename()).string();
+  auto* mesh = std::get_if<FileShape>(&sent.original.shape);
+  if (mesh && isInside(*mesh)) {
+    mesh->path = fs::path(mesh->path).filename().string();
+  } else if (mesh) {
+    mesh->path = sentName(mesh->path, path);
   }
+  changeSurfaceFiles(sent, [&](SurfaceFile& file) { file.path = sentName(file.path, path); });
   return formatSentLevel(sent);
 }
 
@@ -108,6 +123,7 @@ SentLevel levelFromText(const std::string& text, const Level& open, const fs::pa
       file = {known->path, known->obj, known->obj->empty() ? file.up : known->up};
     }
   }
+  readMirrorFiles(sent.level, open, path);
   return sent;
 }
 

@@ -45,7 +45,8 @@ double scaleInto(const Box& own, const Box& room) {
 }  // namespace
 
 Shape mirrorOfKind(std::size_t kind, const Shape& old, const Point& eye) {
-  return kind == shapeIndex(old) ? old : shapeTypes().at(kind).filling(extentOf(old), eye);
+  const ShapeType& type = shapeTypes().at(kind);
+  return kind == shapeIndex(old) || type.needsFile ? old : type.filling(extentOf(old), eye);
 }
 
 OriginalShape builtInShape(std::size_t kind) {

@@ -9,7 +9,8 @@
 namespace anamorph {
 
 /// A mirror of another kind (its index in shapeTypes()) with the middle of the old one and
-/// within its height and width; the same when it is of that kind already.
+/// within its height and width; the same when it is of that kind already, and
+/// when that kind needs a file.
 ///
 /// Each shape says itself how it fills a room (ShapeType::filling): flat ones turn towards the eye, round ones stay
 /// half as far from their middle as the eye is. Sound whatever the old one is.

@@ -11,6 +11,7 @@
 #include "edit/history_bytes.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
+#include "pipeline/mirror_files.h"
 
 namespace anamorph {
 namespace {
@@ -39,7 +40,10 @@ bool isWrittenElsewhere(const std::filesystem::path& path, std::optional<FileTim
 
 LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token) {
   const auto written = timeOf(path);
-  return {path, loadLevel(path, token), written};
+  LevelFile file{path, loadLevel(path, token), written};
+  for (std::string& warning : readMirrorFiles(file.loaded.level, path, {}, token))
+    file.loaded.warnings.push_back(std::move(warning));
+  return file;
 }
 
 void Session::open(LevelFile file) {

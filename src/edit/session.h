@@ -39,7 +39,7 @@ struct LevelFile {
   std::optional<FileTime> written;  ///< when
 };
 
-/// Reads a level or a scene of the thesis. Throws Error, and Cancelled as readFile does.
+/// Reads a level, with the meshes of its mirrors, or a scene of the thesis. Throws Error, and Cancelled as readFile does.
 LevelFile readLevelFile(const std::filesystem::path& path, const CancelToken* token = nullptr);
 
 /// A level as it goes into a file.

@@ -43,6 +43,11 @@ class Bvh {
   bool closestHit(const Ray& ray, BvhHit& hit, double tMin = 0,
                   double tMax = std::numeric_limits<double>::infinity()) const;
 
+  /// The same where a ray must not be moved by as much as float can tell: which triangle it meets is decided in double,
+  /// without gaps too. A mirror asks this, a picture need not.
+  bool closestExactHit(const Ray& ray, BvhHit& hit, double tMin = 0,
+                       double tMax = std::numeric_limits<double>::infinity()) const;
+
   /// Whether any triangle is met at tMin < t < tMax.
   bool anyHit(const Ray& ray, double tMin = 0, double tMax = std::numeric_limits<double>::infinity()) const;
 

@@ -52,14 +52,24 @@ ANAMORPH_ALWAYS_INLINE FloatRay makeFloatRay(const Ray& ray, const Point& centre
   return r;
 }
 
-/// Which triangles the line of the ray passes through; one bit a lane.
-ANAMORPH_ALWAYS_INLINE unsigned passesThrough(const BvhBlock& block, const FloatRay& r) {
+/// The corners of a block's triangles, seen along the ray.
+struct ShearedBlock {
   Float4 x[3], y[3];
+};
+
+ANAMORPH_ALWAYS_INLINE ShearedBlock shearBlock(const BvhBlock& block, const FloatRay& r) {
+  ShearedBlock sheared;
   for (int c = 0; c < 3; ++c) {
     const Float4 z = load(block.corner[c][r.z]) - broadcast(r.origin[r.z]);
-    x[c] = load(block.corner[c][r.x]) - broadcast(r.origin[r.x]) - broadcast(r.shearX) * z;
-    y[c] = load(block.corner[c][r.y]) - broadcast(r.origin[r.y]) - broadcast(r.shearY) * z;
+    sheared.x[c] = load(block.corner[c][r.x]) - broadcast(r.origin[r.x]) - broadcast(r.shearX) * z;
+    sheared.y[c] = load(block.corner[c][r.y]) - broadcast(r.origin[r.y]) - broadcast(r.shearY) * z;
   }
+  return sheared;
+}
+
+/// Which triangles the line of the ray passes through; one bit a lane.
+ANAMORPH_ALWAYS_INLINE unsigned passesThrough(const BvhBlock& block, const FloatRay& r) {
+  const auto [x, y] = shearBlock(block, r);
   // Twice the areas between origin and edges. Neighbours get the same number with the other sign for their
   // common edge (the products round alike), so no ray passes between them; 0 belongs to both.
   const Float4 a = x[2] * y[1] - x[1] * y[2];
@@ -69,6 +79,20 @@ ANAMORPH_ALWAYS_INLINE unsigned passesThrough(const BvhBlock& block, const Float
   const Float4 zero{};
   // All 0 is a triangle seen edge-on.
   return laneMask(((least >= zero) & (most > zero)) | ((most <= zero) & (least < zero)));
+}
+
+/// The same for a test in double that follows: none is left out that this could find, for all roundings of the float
+/// test. Those of a coordinate stay below 2^-19 radii, as far rays start near the centre.
+ANAMORPH_ALWAYS_INLINE unsigned mayPassThrough(const BvhBlock& block, const FloatRay& r, float radius) {
+  const auto [x, y] = shearBlock(block, r);
+  const Float4 a = x[2] * y[1] - x[1] * y[2];
+  const Float4 b = x[0] * y[2] - x[2] * y[0];
+  const Float4 c = x[1] * y[0] - x[0] * y[1];
+  const Float4 least = minimum(minimum(a, b), c), most = maximum(maximum(a, b), c);
+  Float4 reach{};
+  for (int i = 0; i < 3; ++i) reach += maximum(x[i], -x[i]) + maximum(y[i], -y[i]);
+  const Float4 error = broadcast(radius * 0x1p-18f), slack = error * (reach + error);
+  return laneMask((least >= -slack) | (most <= slack));
 }
 
 struct TriangleCorners {
@@ -98,6 +122,39 @@ ANAMORPH_ALWAYS_INLINE bool intersectTriangle(const Ray& ray, const TriangleCorn
   hit.v = -glm::dot(side, ab) * inverse;
   const bool inside = hit.u >= 0 && hit.v >= 0 && hit.v <= 1 - hit.u;
   if (!inside) clampToTriangle(ray, corners, hit);
+  return true;
+}
+
+/// A ray as the test of triangles in double needs it, see FloatRay.
+struct ShearedRay {
+  explicit ShearedRay(const Ray& ray, const FloatRay& r)
+      : origin(ray.origin),
+        x(r.x),
+        y(r.y),
+        z(r.z),
+        shearX(ray.direction[x] / ray.direction[z]),
+        shearY(ray.direction[y] / ray.direction[z]),
+        along(ray.direction[z]) {}
+
+  Point origin;
+  int x, y, z;
+  double shearX, shearY, along;
+};
+
+/// passesThrough() in double, and where: neighbours agree on their common edge, so no ray gets lost between them.
+ANAMORPH_ALWAYS_INLINE bool meetsExactly(const ShearedRay& r, const TriangleCorners& corners, BvhHit& hit) {
+  const auto sheared = [&](const Point& p) {
+    const Vector v = p - r.origin;
+    return Vector(v[r.x] - r.shearX * v[r.z], v[r.y] - r.shearY * v[r.z], v[r.z]);
+  };
+  const Vector p = sheared(corners.a), q = sheared(corners.b), s = sheared(corners.c);
+  const double a = s.x * q.y - q.x * s.y, b = p.x * s.y - s.x * p.y, c = q.x * p.y - p.x * q.y;
+  const auto [least, most] = std::minmax({a, b, c});
+  if (!((least >= 0 && most > 0) || (most <= 0 && least < 0))) return false;
+  const double sum = a + b + c;
+  hit.u = b / sum;
+  hit.v = c / sum;
+  hit.t = (a * p.z + b * q.z + c * s.z) / (sum * r.along);
   return true;
 }
 

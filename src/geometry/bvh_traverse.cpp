@@ -74,19 +74,31 @@ ANAMORPH_ALWAYS_INLINE std::uint32_t chooseNearest(const BvhData& bvh, const Bvh
   return (--top)->child;
 }
 
+/// What a walk looks for: any triangle, or the nearest one; which are met is decided in float, or in double.
+enum class HitRule { any, nearest, exactNearest };
+
 /// Whether the ray meets a triangle of the block before tMax, which becomes the nearest one's distance.
+template <HitRule rule>
 ANAMORPH_ALWAYS_INLINE bool testBlock(const BvhData& bvh, const BvhBlock& block, const FloatRay& floatRay,
-                                      const Ray& ray, BvhHit& hit, double tMin, double& tMax) {
+                                      const ShearedRay& shearedRay, const Ray& ray, BvhHit& hit, double tMin,
+                                      double& tMax) {
+  constexpr bool exact = rule == HitRule::exactNearest;
   prefetchPoints(bvh, block);
   bool found = false;
-  for (unsigned lanes = passesThrough(block, floatRay); lanes != 0; lanes &= lanes - 1) {
+  unsigned lanes = exact ? mayPassThrough(block, floatRay, static_cast<float>(bvh.radius))
+                         : passesThrough(block, floatRay);
+  for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = std::countr_zero(lanes);
     const auto corner = [&](int c) {
       const BvhPoint& p = bvh.points[block.point[c][lane]];
       return Point(p.x, p.y, p.z);
     };
     BvhHit candidate{block.triangle[lane]};
-    if (!intersectTriangle(ray, {corner(0), corner(1), corner(2)}, candidate)) continue;
+    const TriangleCorners corners{corner(0), corner(1), corner(2)};
+    if (!(exact ? meetsExactly(shearedRay, corners, candidate)
+                : intersectTriangle(ray, corners, candidate))) {
+      continue;
+    }
     if (!(candidate.t > tMin && candidate.t < tMax)) continue;
     hit = candidate;
     tMax = hit.t;
@@ -112,10 +124,10 @@ using Lanes = Float8;
 
 const bool hasAvx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2");
 
-template <bool any>
+template <HitRule rule>
 bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, double tMin, double tMax) {
-  return hasAvx2 ? withAvx2::walk<any>(bvh, ray, hit, tMin, tMax)
-                 : everywhere::walk<any>(bvh, ray, hit, tMin, tMax);
+  return hasAvx2 ? withAvx2::walk<rule>(bvh, ray, hit, tMin, tMax)
+                 : everywhere::walk<rule>(bvh, ray, hit, tMin, tMax);
 }
 #else
 using everywhere::walk;
@@ -129,12 +141,16 @@ bool canMeetAnything(const Ray& ray) {
 }  // namespace
 
 bool Bvh::closestHit(const Ray& ray, BvhHit& hit, double tMin, double tMax) const {
-  return !empty() && canMeetAnything(ray) && walk<false>(data_, ray, hit, tMin, tMax);
+  return !empty() && canMeetAnything(ray) && walk<HitRule::nearest>(data_, ray, hit, tMin, tMax);
+}
+
+bool Bvh::closestExactHit(const Ray& ray, BvhHit& hit, double tMin, double tMax) const {
+  return !empty() && canMeetAnything(ray) && walk<HitRule::exactNearest>(data_, ray, hit, tMin, tMax);
 }
 
 bool Bvh::anyHit(const Ray& ray, double tMin, double tMax) const {
   BvhHit hit;
-  return !empty() && canMeetAnything(ray) && walk<true>(data_, ray, hit, tMin, tMax);
+  return !empty() && canMeetAnything(ray) && walk<HitRule::any>(data_, ray, hit, tMin, tMax);
 }
 
 }  // namespace anamorph

@@ -2,10 +2,11 @@
 // with ANAMORPH_TARGET (the attribute that chooses the set) and Lanes (eight floats) defined: a template cannot
 // choose between attributes.
 
-/// The walk ends at the first hit of all when `any` is set, else with the nearest one.
-template <bool any>
+/// The walk ends at the first hit of all when any is wanted, else with the nearest one.
+template <HitRule rule>
 ANAMORPH_TARGET bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, double tMin, double tMax) {
   const FloatRay r = makeFloatRay(ray, bvh.centre, bvh.radius);
+  const ShearedRay sheared(ray, r);
   const Lanes originX = Lanes::splat(r.origin[0]), inverseX = Lanes::splat(r.inverse[0]);
   const Lanes originY = Lanes::splat(r.origin[1]), inverseY = Lanes::splat(r.inverse[1]);
   const Lanes originZ = Lanes::splat(r.origin[2]), inverseZ = Lanes::splat(r.inverse[2]);
@@ -35,8 +36,8 @@ ANAMORPH_TARGET bool walk(const BvhData& bvh, const Ray& ray, BvhHit& hit, doubl
         current = chooseNearest(bvh, node, children, distances, top);
         continue;
       }
-    } else if (testBlock(bvh, bvh.blocks[current ^ BvhWideNode::leaf], r, ray, hit, tMin, tMax)) {
-      if constexpr (any) return true;
+    } else if (testBlock<rule>(bvh, bvh.blocks[current ^ BvhWideNode::leaf], r, sheared, ray, hit, tMin, tMax)) {
+      if constexpr (rule == HitRule::any) return true;
       found = true;
       farthest = static_cast<float>(tMax - r.shift);
       end = Lanes::splat(farthest);

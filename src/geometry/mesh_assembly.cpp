@@ -12,7 +12,8 @@
 namespace anamorph {
 namespace {
 
-constexpr Remark atBadVertex{"1 face at an unusable vertex left out", "{} faces at an unusable vertex left out"};
+constexpr Remark atBadVertex{"1 face at an unusable vertex left out",
+                             "{} faces at an unusable vertex left out"};
 constexpr Remark twiceTheSame{"1 face of fewer than three different corners left out",
                               "{} faces of fewer than three different corners left out"};
 constexpr Remark unusedVertices{"1 vertex that no face uses left out",
@@ -25,20 +26,23 @@ bool isNoVertex(double x) {
 // Calls `keep(polygon, corners)` for every polygon that is not empty, and empties those that it says no to.
 template <typename Keep>
 void keepPolygons(PolygonSoup& polygons, const Keep& keep) {
-  std::uint32_t* to = polygons.corners.data();
-  const std::uint32_t* from = to;
+  std::vector<std::uint32_t>&corners = polygons.corners, &normals = polygons.normals;
+  std::size_t to = 0, from = 0;
   for (std::size_t i = 0; i < polygons.sizes.size(); ++i) {
     const std::uint32_t size = polygons.sizes[i];
     if (size == 0) continue;
-    if (keep(i, std::span(from, size))) {
-      to = std::copy(from, from + size, to);
+    if (keep(i, std::span<const std::uint32_t>(&corners[from], size))) {
+      std::copy_n(&corners[from], size, &corners[to]);
+      if (!normals.empty()) std::copy_n(&normals[from], size, &normals[to]);
+      to += size;
     } else {
       polygons.sizes[i] = 0;
       ++polygons.empty;
     }
     from += size;
   }
-  polygons.corners.resize(static_cast<std::size_t>(to - polygons.corners.data()));
+  corners.resize(to);
+  if (!normals.empty()) normals.resize(to);
 }
 
 void leaveOutUnusable(const PointArray& positions, PolygonSoup& polygons, const FileCounting& counting,
@@ -89,10 +93,10 @@ Point noVertex() {
 }
 
 Mesh assembleMesh(PointArray positions, PolygonSoup polygons, const FileCounting& counting,
-                  MeshRemarks& remarks) {
+                  MeshRemarks& remarks, std::vector<Triangle>* normals) {
   leaveOutUnusable(positions, polygons, counting, remarks);
   Mesh mesh;
-  mesh.triangles = triangulate(positions, polygons);
+  mesh.triangles = triangulate(positions, polygons, normals);
   if (mesh.triangles.size() < trianglesOf(polygons)) {
     remarkDegenerate(positions, polygons, counting, remarks);
   }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh.h"
 #include "geometry/mesh_remarks.h"
@@ -31,9 +32,9 @@ struct FileCounting {
 Point noVertex();
 
 /// The mesh of a file, of which every remark is made; a vertex that is noVertex() is taken for said already. Without
-/// triangles when nothing is left: then with all vertices.
+/// triangles when nothing is left: then with all vertices. `normals` as for triangulate().
 Mesh assembleMesh(PointArray positions, PolygonSoup polygons, const FileCounting& counting,
-                  MeshRemarks& remarks);
+                  MeshRemarks& remarks, std::vector<Triangle>* normals = nullptr);
 
 /// Leaves out the vertices that no triangle uses, each told by its number before. The others keep their order.
 void leaveOutUnusedVertices(Mesh& mesh, const std::function<void(std::size_t)>& tell = {});

@@ -14,6 +14,7 @@
 #include "geometry/foreign_formats.h"
 #include "geometry/mesh_formats.h"
 #include "geometry/mesh_remarks.h"
+#include "geometry/normals.h"
 #include "geometry/obj_reader.h"
 #include "geometry/obj_writer.h"
 #include "geometry/ply_reader.h"
@@ -136,6 +137,19 @@ LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshL
   loaded.warnings = remarks.warnings();
   loaded.up = guessUp(loaded.mesh, format, bytes);
   return loaded;
+}
+
+LoadedSurface loadSurface(const fs::path& path, const MeshLimits& limits, const CancelToken* token) {
+  checkIsMesh(path);
+  const FileBytes bytes = readFile(path, limits.maxBytes, MeshLimits::bytesHelp, token);
+  MeshRemarks remarks(path.string());
+  if (bytes.view().empty()) throw Error("expected a mesh, got an empty file", path.string());
+  if (formatOf(bytes.view(), remarks) != MeshFormat::obj) {
+    LoadedMesh loaded = readMesh(bytes.view(), path.string(), limits);
+    return {withSmoothNormals(std::move(loaded.mesh)), std::move(loaded.warnings)};
+  }
+  SmoothMesh surface = readSmoothObj(bytes.view(), remarks, limits);
+  return {std::move(surface), remarks.warnings()};
 }
 
 LoadedMesh loadMesh(const fs::path& path, const MeshLimits& limits, const CancelToken* token) {

@@ -13,6 +13,7 @@
 #include "base/progress.h"
 #include "geometry/mesh.h"
 #include "geometry/mesh_limits.h"
+#include "geometry/smooth_mesh.h"
 #include "geometry/up_guess.h"
 
 namespace anamorph {
@@ -34,6 +35,16 @@ LoadedMesh loadMesh(const std::filesystem::path& path, const MeshLimits& limits 
 
 /// The same from a file's bytes; `name` is the file's name, with which messages begin.
 LoadedMesh readMesh(std::string_view bytes, const std::string& name, const MeshLimits& limits = {});
+
+/// A surface as its file has it: with the normals of an OBJ file, else with those of its faces.
+struct LoadedSurface {
+  SmoothMesh surface;
+  std::vector<std::string> warnings;
+};
+
+/// As loadMesh, for a surface that reflects.
+LoadedSurface loadSurface(const std::filesystem::path& path, const MeshLimits& limits = {},
+                          const CancelToken* token = nullptr);
 
 /// Whether loadMesh and saveMesh know the ending: .obj, .stl, .ply, in small or capital letters.
 bool isMeshFile(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "base/check.h"
 #include "base/parallel_for.h"
@@ -87,6 +88,17 @@ void joinAcross(const Side& a, const Side& b, CornerSets& sets) {
   sets.join(corner(a, 1), corner(b, 0));
 }
 
+std::vector<Vector> sumAreas(const PointArray& points, const std::vector<Triangle>& triangles,
+                             const NormalGroups& groups) {
+  CHECK(triangles.size() == groups.corners.size());
+  std::vector<Vector> sums(groups.count, Vector(0));
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Vector area = areaVector(points, triangles[i]);
+    for (const std::uint32_t group : groups.corners[i]) sums[group] += area;
+  }
+  return sums;
+}
+
 }  // namespace
 
 NormalGroups makeNormalGroups(const Mesh& mesh, double creaseDegrees) {
@@ -126,17 +138,22 @@ NormalGroups makeNormalGroups(const Mesh& mesh, double creaseDegrees) {
 
 std::vector<glm::vec3> computeNormals(const PointArray& points, const std::vector<Triangle>& triangles,
                                       const NormalGroups& groups, int threads) {
-  CHECK(triangles.size() == groups.corners.size());
-  std::vector<Vector> sums(groups.count, Vector(0));
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const Vector area = areaVector(points, triangles[i]);
-    for (const std::uint32_t group : groups.corners[i]) sums[group] += area;
-  }
+  const std::vector<Vector> sums = sumAreas(points, triangles, groups);
   std::vector<glm::vec3> normals(groups.count);
   parallelFor(groups.count, 16384, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) normals[i] = unit(sums[i], Vector(0, 0, 1));
   });
   return normals;
+}
+
+SmoothMesh withSmoothNormals(Mesh mesh, double creaseDegrees) {
+  NormalGroups groups = makeNormalGroups(mesh, creaseDegrees);
+  SmoothMesh smooth;
+  for (const Vector& sum : sumAreas(mesh.positions, mesh.triangles, groups))
+    smooth.normals.push_back(unit(sum, Vector(0, 0, 1)));
+  smooth.mesh = std::move(mesh);
+  smooth.corners = std::move(groups.corners);
+  return smooth;
 }
 
 }  // namespace anamorph

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "geometry/mesh.h"
+#include "geometry/smooth_mesh.h"
 
 namespace anamorph {
 
@@ -27,5 +28,8 @@ NormalGroups makeNormalGroups(const Mesh& mesh, double creaseDegrees = 30);
 /// that vanishes). Float: they are only shaded with.
 std::vector<glm::vec3> computeNormals(const PointArray& points, const std::vector<Triangle>& triangles,
                                       const NormalGroups& groups, int threads = 1);
+
+/// The mesh with such normals, in double: light is reflected by them.
+SmoothMesh withSmoothNormals(Mesh mesh, double creaseDegrees = 30);
 
 }  // namespace anamorph

@@ -6,7 +6,9 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
+#include <limits>
 #include <optional>
 #include <streambuf>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "base/error.h"
 #include "geometry/file_text.h"
 #include "geometry/mesh_assembly.h"
+#include "geometry/normals.h"
 #include "geometry/polygon.h"
 
 namespace anamorph {
@@ -25,6 +28,11 @@ constexpr Remark unreadFaces{"1 face that is not understood left out",
                              "{} faces that are not understood left out"};
 constexpr Remark curves{"1 line, point or curve left out", "{} lines, points or curves left out"};
 constexpr Remark freeForms{"1 free-form surface left out", "{} free-form surfaces left out"};
+
+constexpr Remark noNormals{"1 corner without a normal of its own; it has that of its faces",
+                           "{} corners without normals of their own; they have those of their faces"};
+
+constexpr std::uint32_t noNormal = std::numeric_limits<std::uint32_t>::max();
 
 bool startsWithKeyword(std::string_view line, char keyword) {
   return !line.empty() && line[0] == keyword && (line.size() == 1 || isBlank(line[1]));
@@ -70,8 +78,8 @@ std::string plainFaceText(std::string_view text) {
 // which is what negative indices count from.
 class ObjText : public std::streambuf {
  public:
-  ObjText(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits)
-      : lines_(bytes), remarks_(remarks), limits_(limits) {}
+  ObjText(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits, bool withNormals)
+      : lines_(bytes), remarks_(remarks), limits_(limits), withNormals_(withNormals) {}
 
   void addFace(const tinyobj::index_t* corners, int count) {
     const auto size = static_cast<std::size_t>(count);
@@ -82,14 +90,16 @@ class ObjText : public std::streambuf {
       const int index = corners[i].vertex_index;
       if (!isPossible(index)) {
         polygons.corners.resize(before);
+        if (withNormals_) polygons.normals.resize(before);
         return leaveOut(badIndices, problemWith(index));
       }
-      polygons.corners.push_back(resolve(index));
+      polygons.corners.push_back(resolve(index, positions.size()));
+      if (withNormals_) polygons.normals.push_back(normalAt(corners[i].normal_index));
     }
     polygons.sizes.push_back(static_cast<std::uint32_t>(size));
   }
 
-  PointArray positions;
+  PointArray positions, normals;  // 0: a normal that is none
   PolygonSoup polygons;
 
  protected:
@@ -100,6 +110,8 @@ class ObjText : public std::streambuf {
         addVertex(lines_.continued(line).substr(1));
       } else if (faceText(line)) {
         if (prepareFace(*faceText(lines_.continued(line)))) return handOn();
+      } else if (withNormals_ && line.starts_with("vn") && startsWithKeyword(line.substr(1), 'n')) {
+        addNormal(lines_.continued(line).substr(2));
       } else {
         remarkOther(line);
       }
@@ -146,6 +158,14 @@ class ObjText : public std::streambuf {
     }
   }
 
+  void addNormal(std::string_view text) {
+    const auto x = parseNumber(takeWord(text)), y = parseNumber(takeWord(text)),
+               z = parseNumber(takeWord(text));
+    const Vector normal = x && y && z ? Vector(*x, *y, *z) : Vector(0);
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    normals.push_back(largest > 0 ? glm::normalize(normal / largest) : Vector(0));
+  }
+
   // Puts a face into line_ for tinyobj, unless it is left out at once.
   bool prepareFace(std::string_view text) {
     text = text.substr(0, text.find('#'));
@@ -186,9 +206,13 @@ class ObjText : public std::streambuf {
     return index > 0 || (index < 0 && -index <= static_cast<std::int64_t>(positions.size()));
   }
 
-  std::uint32_t resolve(int index) const {
-    const auto count = static_cast<std::int64_t>(positions.size());
-    return static_cast<std::uint32_t>(index > 0 ? index - 1 : count + index);
+  static std::uint32_t resolve(int index, std::size_t count) {
+    return static_cast<std::uint32_t>(index > 0 ? index - 1 : static_cast<std::int64_t>(count) + index);
+  }
+
+  std::uint32_t normalAt(int index) const {
+    const bool isOne = index > 0 || (index < 0 && -index <= static_cast<std::int64_t>(normals.size()));
+    return isOne ? resolve(index, normals.size()) : noNormal;
   }
 
   std::string problemWith(int index) const {
@@ -200,6 +224,7 @@ class ObjText : public std::streambuf {
   LineReader lines_;
   MeshRemarks& remarks_;
   const MeshLimits& limits_;
+  const bool withNormals_;
   std::string line_;
 };
 
@@ -212,27 +237,61 @@ std::string lineOfFace(std::string_view bytes, std::size_t n) {
   return fmt::format("line {}", lines.number());
 }
 
-}  // namespace
+// Corners that have no normal in the file get one from their faces.
+void fillNormals(SmoothMesh& surface, MeshRemarks& remarks) {
+  const auto isOne = [&](std::uint32_t n) {
+    return n < surface.normals.size() && surface.normals[n] != Vector(0);
+  };
+  std::optional<SmoothMesh> own;
+  const auto first = static_cast<std::uint32_t>(surface.normals.size());
+  for (std::size_t t = 0; t < surface.corners.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& normal = surface.corners[t][i];
+      if (isOne(normal)) continue;
+      if (!own) own = withSmoothNormals(surface.mesh);
+      normal = first + own->corners[t][i];
+      remarks.add(noNormals, [] { return RemarkPlace{}; });
+    }
+  }
+  for (std::size_t n = 0; own && n < own->normals.size(); ++n) surface.normals.push_back(own->normals[n]);
+}
 
-Mesh readObj(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits) {
-  ObjText text(bytes, remarks, limits);
+// `corners`: where to put the corners' normals, and `normals` what they are; null: they are not wanted.
+Mesh read(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits,
+          std::vector<Triangle>* corners, PointArray* normals) {
+  ObjText text(bytes, remarks, limits, normals != nullptr);
   std::istream stream(&text);
   stream.exceptions(std::ios::badbit);  // without it the stream keeps the Errors of ObjText to itself
   tinyobj::callback_t callbacks;
-  callbacks.index_cb = [](void* data, tinyobj::index_t* corners, int count) {
-    static_cast<ObjText*>(data)->addFace(corners, count);
+  callbacks.index_cb = [](void* data, tinyobj::index_t* face, int count) {
+    static_cast<ObjText*>(data)->addFace(face, count);
   };
   tinyobj::LoadObjWithCallback(stream, callbacks, &text);
 
   Mesh mesh = assembleMesh(std::move(text.positions), std::move(text.polygons),
-                           {1, [&](std::size_t face) { return lineOfFace(bytes, face); }}, remarks);
+                           {1, [&](std::size_t face) { return lineOfFace(bytes, face); }}, remarks, corners);
   if (mesh.triangles.empty()) {
     const char* what = remarks.has(freeForms) ? "free-form surfaces"
                        : remarks.has(curves)  ? "lines or curves"
                                               : "a point cloud";
     failWithoutTriangles(remarks, what, mesh.positions.size());
   }
+  if (normals) *normals = std::move(text.normals);
   return mesh;
+}
+
+}  // namespace
+
+Mesh readObj(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits) {
+  return read(bytes, remarks, limits, nullptr, nullptr);
+}
+
+SmoothMesh readSmoothObj(std::string_view bytes, MeshRemarks& remarks, const MeshLimits& limits) {
+  SmoothMesh surface;
+  surface.mesh = read(bytes, remarks, limits, &surface.corners, &surface.normals);
+  if (surface.normals.empty()) return withSmoothNormals(std::move(surface.mesh));
+  fillNormals(surface, remarks);
+  return surface;
 }
 
 }  // namespace anamorph

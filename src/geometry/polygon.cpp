@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 
 #include "base/check.h"
@@ -123,6 +124,14 @@ class EarClipper {
   CornerGrid reflex_;  // the corners that are not convex
 };
 
+// Of a polygon's triangles: the normals of its own corners, the first of each.
+void appendNormals(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> normals,
+                   std::span<const Triangle> triangles, std::vector<Triangle>& to) {
+  std::unordered_map<std::uint32_t, std::uint32_t> normalAt;
+  for (std::size_t i = 0; i < corners.size(); ++i) normalAt.try_emplace(corners[i], normals[i]);
+  for (const Triangle& t : triangles) to.push_back({normalAt.at(t[0]), normalAt.at(t[1]), normalAt.at(t[2])});
+}
+
 }  // namespace
 
 std::string limitPassedBy(const PolygonSoup& before, std::size_t corners, const MeshLimits& limits) {
@@ -143,15 +152,22 @@ void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t>
   EarClipper(ring, project(points, ring)).clipAll(triangles);
 }
 
-std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons) {
+std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons,
+                                  std::vector<Triangle>* normals) {
   std::vector<Triangle> triangles;
   triangles.reserve(trianglesOf(polygons));
-  const std::uint32_t* first = polygons.corners.data();
+  std::size_t first = 0;
   for (const std::uint32_t size : polygons.sizes) {
+    const std::span corners(polygons.corners.data() + first, size);
+    const std::size_t before = triangles.size();
     if (size == 3) {  // nearly always
-      appendTriangle({first[0], first[1], first[2]}, triangles);
+      appendTriangle({corners[0], corners[1], corners[2]}, triangles);
     } else {
-      triangulatePolygon(points, {first, size}, triangles);
+      triangulatePolygon(points, corners, triangles);
+    }
+    if (normals) {
+      appendNormals(corners, {polygons.normals.data() + first, size}, std::span(triangles).subspan(before),
+                    *normals);
     }
     first += size;
   }

@@ -20,7 +20,8 @@ namespace anamorph {
 struct PolygonSoup {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> sizes;
-  std::size_t empty = 0;  ///< how many sizes are 0
+  std::size_t empty = 0;                 ///< how many sizes are 0
+  std::vector<std::uint32_t> normals{};  ///< of every corner, by its number; empty: none are wanted
 };
 
 /// How many triangles they give when no polygon has a corner twice.
@@ -40,7 +41,9 @@ std::string limitPassedBy(const PolygonSoup& before, std::size_t corners, const 
 void triangulatePolygon(const PointArray& points, std::span<const std::uint32_t> corners,
                         std::vector<Triangle>& triangles);
 
-/// All polygons but the empty ones, in their order. Their indices must be valid.
-std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons);
+/// All polygons but the empty ones, in their order. Their indices must be valid. `normals`: where to put the triangles'
+/// corners' normals, of polygons that have such.
+std::vector<Triangle> triangulate(const PointArray& points, const PolygonSoup& polygons,
+                                  std::vector<Triangle>* normals = nullptr);
 
 }  // namespace anamorph

@@ -18,4 +18,8 @@ struct SmoothMesh {
   }
 };
 
+/// The largest angle between a triangle and the normal at one of its corners, whichever side that is on; triangles
+/// without area have none.
+double largestKinkDegrees(const SmoothMesh& surface);
+
 }  // namespace anamorph

@@ -55,7 +55,8 @@ struct ShapeExtent {
   double width = 6, height = 6;
 };
 
-/// The lines by which a surface is drawn that light passes through: at even steps of its parameters u and v.
+/// The lines by which a surface is drawn that light passes through: at even steps of its parameters u and v. Without
+/// steps some of its triangles are.
 struct SurfaceLines {
   int stepsU = 8, stepsV = 8;            ///< intervals between lines of constant u, of constant v
   bool closedU = false;                  ///< u = 1 is u = 0 again
@@ -89,7 +90,7 @@ concept ConcreteShape = requires {
 };
 
 /// What is made once of a shape, and asked by every ray: pieces of a spline, a tree of triangles. A shape that has such a
-/// thing has prepare(), which answers whatever the fields are, and its intersect() takes it first.
+/// thing has prepare(), which answers whatever the fields are, and its intersect() takes it first; other questions may.
 template <typename S>
 concept PreparedShape = requires(const S& shape) {
   shape.prepare();
@@ -197,11 +198,27 @@ class ShapeOf final : public AnyShape {
     }
   }
   Point eyeOutside(const Point& eye, const Point& original) const override {
-    return shape_.eyeOutside(eye, original);
+    if constexpr (requires(const S& s, const Prepared& p) { s.eyeOutside(p, eye, original); }) {
+      return shape_.eyeOutside(prepared(), eye, original);
+    } else {
+      return shape_.eyeOutside(eye, original);
+    }
   }
 
-  Box box() const override { return shape_.box(); }
-  Point middle() const override { return shape_.middle(); }
+  Box box() const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.box(p); }) {
+      return shape_.box(prepared());
+    } else {
+      return shape_.box();
+    }
+  }
+  Point middle() const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.middle(p); }) {
+      return shape_.middle(prepared());
+    } else {
+      return shape_.middle();
+    }
+  }
   Axes axes() const override { return shape_.axes(); }
   bool isRound() const override {
     if constexpr (requires { S::isRound; }) {
@@ -210,7 +227,13 @@ class ShapeOf final : public AnyShape {
       return false;
     }
   }
-  ShapeExtent extent() const override { return shape_.extent(); }
+  ShapeExtent extent() const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.extent(p); }) {
+      return shape_.extent(prepared());
+    } else {
+      return shape_.extent();
+    }
+  }
   std::optional<double> circleFromAbove() const override {
     if constexpr (requires { shape_.circleFromAbove(); }) {
       return shape_.circleFromAbove();
@@ -220,9 +243,17 @@ class ShapeOf final : public AnyShape {
   }
   double borderDistance(const Point& point) const override { return shape_.borderDistance(point); }
 
-  Point pointAt(double u, double v) const override { return shape_.pointAt(u, v); }
+  Point pointAt(double u, double v) const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.pointAt(p, u, v); }) {
+      return shape_.pointAt(prepared(), u, v);
+    } else {
+      return shape_.pointAt(u, v);
+    }
+  }
   SmoothMesh tessellate(int segments) const override {
-    if constexpr (requires { shape_.tessellate(segments); }) {
+    if constexpr (requires(const S& s, const Prepared& p) { s.tessellate(p, segments); }) {
+      return shape_.tessellate(prepared(), segments);
+    } else if constexpr (requires { shape_.tessellate(segments); }) {
       return shape_.tessellate(segments);
     } else {
       const auto [columns, rows] = shape_.gridFor(segments);
@@ -250,7 +281,13 @@ class ShapeOf final : public AnyShape {
       return {};
     }
   }
-  ShapeWords words(LengthText text) const override { return shape_.words(text); }
+  ShapeWords words(LengthText text) const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.words(p, text); }) {
+      return shape_.words(prepared(), text);
+    } else {
+      return shape_.words(text);
+    }
+  }
 
   void visitFields(ShapeFields& fields) override { shape_.visitFields(fields); }
   std::vector<ControlPoint> controlPoints() const override {
@@ -280,12 +317,13 @@ class ShapeOf final : public AnyShape {
   struct PreparedOf<T> {
     using Type = decltype(std::declval<const T&>().prepare());
   };
-  const auto& prepared() const {
+  using Prepared = typename PreparedOf<S>::Type;
+  const Prepared& prepared() const {
     return prepared_.get([this] { return shape_.prepare(); });
   }
 
   S shape_;  // never changes once something has been prepared of it: a Shape changes copies only
-  Lazy<typename PreparedOf<S>::Type> prepared_;
+  Lazy<Prepared> prepared_;
 };
 
 }  // namespace anamorph

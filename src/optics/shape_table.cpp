@@ -9,6 +9,7 @@
 #include "optics/cylinder.h"
 #include "optics/ellipsoid.h"
 #include "optics/paraboloid.h"
+#include "optics/mesh_mirror.h"
 #include "optics/plane.h"
 #include "optics/sphere.h"
 
@@ -18,7 +19,8 @@ namespace {
 std::vector<ShapeType>& table() {
   static std::vector<ShapeType> types{shapeType<PlaneMirror>(),     shapeType<CylinderMirror>(),
                                       shapeType<SphereMirror>(),    shapeType<ConeMirror>(),
-                                      shapeType<EllipsoidMirror>(), shapeType<ParaboloidMirror>()};
+                                      shapeType<EllipsoidMirror>(), shapeType<ParaboloidMirror>(),
+                                      shapeType<MeshMirror>()};
   return types;
 }
 

@@ -12,6 +12,7 @@ struct ShapeType {
   const char* label;  ///< in panels, English: "Plane"
   Shape standard;     ///< with its usual fields
   int since;          ///< the version of the level format that knows it first
+  bool needsFile;     ///< is nothing without a file that somebody chooses
   /// One that fills a room, sound and seen from outside by the eye.
   Shape (*filling)(const ShapeExtent& room, const Point& eye);
 };
@@ -20,8 +21,10 @@ template <typename S>
 ShapeType shapeType() {
   int since = 1;
   if constexpr (requires { S::since; }) since = S::since;
-  return {S::name, S::label, Shape(S{}), since,
-          [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }};
+  return {S::name, S::label, Shape(S{}), since, requires {S::needsFile;
+}
+, [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }
+};  // namespace anamorph
 }
 
 /// All of them, in the order in which they are offered.

@@ -13,8 +13,10 @@
 #include "base/text.h"
 #include "edit/level_files.h"
 #include "edit/mesh_import.h"
+#include "edit/mirror_import.h"
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
+#include "level/surface_files.h"
 #include "panels/browser_places.h"
 #include "panels/file_browser.h"
 #include "panels/let_go.h"
@@ -98,19 +100,31 @@ void saveWhatWaits(Editor& editor, UiState& ui) {
   if (wish.generation == editor.session.generation()) saveTo(wish.path, wish.mayReplace, editor, ui);
 }
 
-// A level is saved over its own file, but never over its mesh.
+// A level is saved over its own file, but never over its meshes.
 std::vector<fs::path> filesToKeep(const Editor& editor, const FilePurpose& purpose) {
   const fs::path& path = editor.session.path();
   std::vector<fs::path> files;
   if (!path.empty() && purpose != FilePurpose::saveLevel) files.push_back(path);
   if (auto mesh = meshFileOf(editor.session.level(), path)) files.push_back(std::move(*mesh));
+  for (fs::path& surface : surfaceFilesOf(editor.session.level(), path)) files.push_back(std::move(surface));
   return files;
+}
+
+void takeMirror(Editor& editor, const fs::path& mesh) {
+  editor.session.finishChange();
+  const fs::path& path = editor.session.path();
+  editor.job.start(
+      editor.session, trFormat("Reading {}", mesh.filename().string()),
+      [import = MirrorImport{meshNameFor(mesh, path), path}](const Level& level, const Progress& progress) {
+        return importMirror(import, level, progress);
+      });
 }
 
 void serveBrowser(Editor& editor, UiState& ui) {
   if (ui.browser.open) ui.browser.kept = filesToKeep(editor, ui.browser.purpose);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openLevel)) ui.requests.open = *path;
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMesh)) importOriginal(editor, *path);
+  if (const auto path = takeChosenFile(ui.browser, FilePurpose::openMirror)) takeMirror(editor, *path);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::findMesh)) giveMesh(*path, editor, ui);
   if (const auto path = takeChosenFile(ui.browser, FilePurpose::saveLevel)) saveTo(*path, true, editor, ui);
 }
@@ -172,6 +186,12 @@ void chooseOriginal(Editor& editor, UiState& ui) {
   const Level& level = editor.session.level();
   const auto* file = std::get_if<FileShape>(&level.original.shape);
   browseFiles(ui.browser, FilePurpose::openMesh, file ? modelPath(*file, editor.session.path()) : fs::path());
+}
+
+void chooseMirror(Editor& editor, UiState& ui) {
+  finishEdits(editor, ui);
+  const auto files = surfaceFilesOf(editor.session.level(), editor.session.path());
+  browseFiles(ui.browser, FilePurpose::openMirror, files.empty() ? fs::path() : files.front());
 }
 
 void importOriginal(Editor& editor, const fs::path& mesh, std::optional<ModelUp> up) {

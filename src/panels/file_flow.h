@@ -30,6 +30,9 @@ void chooseOriginal(Editor& editor, UiState& ui);
 void importOriginal(Editor& editor, const std::filesystem::path& mesh,
                     std::optional<ModelUp> up = std::nullopt);
 
+/// Opens the browser for a mesh whose surface takes the mirror's place.
+void chooseMirror(Editor& editor, UiState& ui);
+
 /// Files that were dropped on the window: a mesh takes the original's place, or is the one that was asked for, a level is
 /// opened. Of several the first that is either.
 void acceptFiles(const std::vector<std::filesystem::path>& files, Editor& editor, UiState& ui);

@@ -10,6 +10,7 @@ const FilePurpose FilePurpose::openLevel{"Open a level", "Open", false, {".json"
 const FilePurpose FilePurpose::saveLevel{"Save the level", "Save", true, {".json"}};
 const FilePurpose FilePurpose::openMesh{"A mesh for the original", "Open", false,
                                         formatOf(ExportKind::sculpture).endings};
+const FilePurpose FilePurpose::openMirror{"A mesh for the mirror", "Open", false, openMesh.endings};
 const FilePurpose FilePurpose::findMesh{"The mesh of the original", "Open", false, openMesh.endings};
 const FilePurpose FilePurpose::saveImage = toSave(formatOf(ExportKind::picture));
 

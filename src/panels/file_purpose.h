@@ -13,7 +13,7 @@ struct FilePurpose {
   bool saves;  ///< a file that is there is asked about, and a name without an ending gets one
   std::vector<const char*> endings;  ///< of the files that are shown
 
-  static const FilePurpose openLevel, saveLevel, openMesh, findMesh, saveImage;
+  static const FilePurpose openLevel, saveLevel, openMesh, openMirror, findMesh, saveImage;
   static FilePurpose toSave(const ExportFormat& format);
 
   bool operator==(const FilePurpose& other) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "edit/control_points.h"
 #include "edit/replacements.h"
 #include "optics/shape_table.h"
+#include "panels/file_flow.h"
 #include "panels/panels.h"
 #include "panels/widgets.h"
 
@@ -127,18 +129,19 @@ bool shapeRows(Shape& shape, Selection& selection) {
   return sizes.changed || points.changed;
 }
 
-bool shapeChoice(Shape& shape, const Point& eye) {
+// A kind that needs a file comes into the level when that has been chosen and read.
+bool shapeChoice(Shape& shape, Editor& editor, UiState& ui) {
   std::vector<const char*> labels;
   for (const ShapeType& type : shapeTypes()) labels.push_back(type.label);
-  const int old = static_cast<int>(shapeIndex(shape));
-  int chosen = old;
+  int chosen = static_cast<int>(shapeIndex(shape));
   if (!choiceRow("Shape", chosen, labels,
-                 "Another one has the same middle, and is as large as fits the old one.") ||
-      chosen == old) {
+                 "Another one has the same middle, and is as large as fits the old one.")) {
     return false;
   }
-  shape = mirrorOfKind(static_cast<std::size_t>(chosen), shape, eye);
-  return true;
+  const auto kind = static_cast<std::size_t>(chosen);
+  if (shapeTypes()[kind].needsFile) chooseMirror(editor, ui);
+  const Shape old = std::exchange(shape, mirrorOfKind(kind, shape, editor.session.level().camera.eye));
+  return !(old == shape);
 }
 
 }  // namespace
@@ -156,7 +159,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
       level.optic.parts.front().kind = reflects ? OpticKind::mirror : OpticKind::canvas;
       changed = true;
     }
-    changed |= shapeChoice(shape, level.camera.eye);
+    changed |= shapeChoice(shape, editor, ui);
     changed |= shapeRows(shape, editor.selection);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }

@@ -21,6 +21,23 @@ void addLine(std::vector<Line>& lines, int chords, const Color& color, bool stro
   }
 }
 
+// Of a surface without parameters some of its triangles.
+void addTriangles(std::vector<Line>& lines, const Mesh& mesh, const Color& color) {
+  constexpr std::size_t most = 1000;
+  const std::size_t step = 1 + mesh.triangles.size() / most;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
+    const Triangle& corners = mesh.triangles[t];
+    addLine(lines, 3, color, false, [&](double side) {
+      return mesh.positions[corners[static_cast<std::size_t>(3 * side + 0.5) % 3]];
+    });
+  }
+}
+
+bool isCutAway(const Line& line, const std::vector<HalfSpace>& clip) {
+  const Point middle = 0.5 * (line.from + line.to);
+  return !std::all_of(clip.begin(), clip.end(), [&](const HalfSpace& half) { return half.contains(middle); });
+}
+
 }  // namespace
 
 std::vector<Line> makeCanvasLines(const Optic& optic, bool selected) {
@@ -29,16 +46,18 @@ std::vector<Line> makeCanvasLines(const Optic& optic, bool selected) {
   const Shape& shape = optic.shape();
   const SurfaceLines grid = shape->lines();
   const Color color = inkOf(selected ? palette::selected : palette::canvas);
-  for (int i = 0; i < grid.stepsU + !grid.closedU; ++i) {
+  if (grid.stepsU == 0) addTriangles(lines, tessellate(shape).mesh, color);
+  for (int i = 0; grid.stepsU > 0 && i < grid.stepsU + !grid.closedU; ++i) {
     const double u = double(i) / grid.stepsU;
     addLine(lines, grid.chordsV, color, isStrong(grid.strongU, u),
             [&](double v) { return pointAt(shape, u, v); });
   }
-  for (int j = 0; j <= grid.stepsV; ++j) {
+  for (int j = 0; grid.stepsV > 0 && j <= grid.stepsV; ++j) {
     const double v = double(j) / grid.stepsV;
     addLine(lines, grid.chordsU, color, isStrong(grid.strongV, v),
             [&](double u) { return pointAt(shape, u, v); });
   }
+  std::erase_if(lines, [&](const Line& line) { return isCutAway(line, shape.clip()); });
   return lines;
 }
 

@@ -106,18 +106,33 @@ void packSurfaces(SceneBlock& block, const ViewportInput& input, const Visible& 
       visible.sculpture * (F::inMirror | F::castsShadow | F::castsInMirror) | visible.wires * F::hasWires,
       mirroredOriginal * F::inMirror | solidOriginal * F::castsShadow |
           (solidOriginal && mirroredOriginal) * F::castsInMirror,
-      visible.rtCamera * F::inMirror};
+      visible.rtCamera * F::inMirror, 0};
+  for (int i = 0; i < gpuMeshCount; ++i) {
+    const auto packed = pack(*materials[i]);
+    std::copy(packed.begin(), packed.end(), &block.materials[2 * i]);
+  }
   for (int i = 0; i < gpuSurfaceCount; ++i) {
     const SurfaceSlot& slot = slots[i];
     const bool there = slot.triangles > 0;
-    const auto packed = pack(*materials[i]);
-    std::copy(packed.begin(), packed.end(), &block.materials[2 * i]);
     block.surfaceCentre[i] = pack(slot.centre - origin, slot.radius);
     block.surfaceLow[i] = pack(there ? slot.box.min - origin : Vector(0));
     block.surfaceHigh[i] = pack(there ? slot.box.max - origin : Vector(0));
     block.surfaceOffsets[i] = slot.first;
     block.surfaceSize[i] = {slot.triangles, there ? flags[i] | slot.whole * F::wholeMesh : 0, slot.root, 0};
   }
+}
+
+// In sizes of the mirror, so that the distance from a plane is a share of it, as borders are told.
+int packClips(SceneBlock& block, const Shape& mirror, const Point& origin) {
+  if (mirror.clip().empty()) return 0;
+  const double size = boxOf(mirror).diagonal();
+  std::size_t count = 0;
+  for (const HalfSpace& half : mirror.clip()) {
+    if (count == block.mirrorClip.size()) break;
+    const Vector normal = glm::normalize(half.normal) / size;
+    block.mirrorClip[count++] = pack(normal, glm::dot(normal, half.point - origin));
+  }
+  return static_cast<int>(count);
 }
 
 void packScreen(SceneBlock& block, const ViewportInput& input, const Point& origin) {
@@ -137,12 +152,22 @@ void packScreen(SceneBlock& block, const ViewportInput& input, const Point& orig
 }  // namespace
 
 bool Visible::surface(GpuSurface which) const {
-  return which == GpuSurface::sculpture ? sculpture : which == GpuSurface::original ? original : rtCamera;
+  switch (which) {
+    case GpuSurface::sculpture:
+      return sculpture;
+    case GpuSurface::original:
+      return original;
+    case GpuSurface::rtCamera:
+      return rtCamera;
+    case GpuSurface::mirror:
+      break;
+  }
+  return false;  // it is met by rays only
 }
 
 ShaderKinds shaderKindsOf(const ViewportInput& input) {
   const DisplaySettings& display = input.display;
-  return {display.mirror && isShown(input.level.optic) ? shapeName(input.level.optic.shape())
+  return {display.mirror && isShown(input.level.optic) ? shaderOf(input.level.optic.shape())
                                                        : ShaderKinds::noMirror,
           display.originalLook == OriginalLook::ghost, display.sculpture && display.wireframe};
 }
@@ -173,15 +198,17 @@ SceneBlock makeSceneBlock(const ViewportInput& input, const SceneMeasure& measur
   packSurroundings(block, input, measure);
   packSurfaces(block, input, visible, slots, measure.centre);
   if (visible.screen) packScreen(block, input, measure.centre);
+  int clips = 0;
   if (visible.hasMirror()) {
     const PackedShape shape = level.optic.shape()->packed(measure.centre);
     std::copy(shape.begin(), shape.end(), block.mirrorShape.begin());
+    clips = packClips(block, level.optic.shape(), measure.centre);
   }
   block.mirrorTint = pack(level.mirrorLook.reflectance * level.mirrorLook.tint);
   const int lights = packLights(block, level, measure.centre);
   block.counts = {lights, std::clamp(level.tracing.maxDepth, 0, maxTraceDepth), 0,
                   level.ground.visible && !input.transparent};
-  block.options = {level.tracing.shadows, input.display.lightMarkers, 0, 0};
+  block.options = {level.tracing.shadows, input.display.lightMarkers, clips, 0};
   return block;
 }
 

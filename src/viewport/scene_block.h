@@ -11,6 +11,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "level/limits.h"
 #include "math/palette.h"
 #include "optics/optic.h"
 #include "raytrace/scene.h"
@@ -18,12 +19,13 @@
 
 namespace anamorph {
 
-constexpr int gpuSurfaceCount = 3;
+constexpr int gpuMeshCount = 3;  ///< that are drawn and lit
+constexpr int gpuSurfaceCount = gpuMeshCount + 1;
 constexpr int gpuLightLimit = 16;
 constexpr int sceneBlockPoint = 0;  ///< where programs find the block
 
-/// Which mesh is which in the shaders.
-enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2 };
+/// Which surface is which in the shaders. The mirror is one when its triangles are traced (tessellatedShader).
+enum class GpuSurface { sculpture = 0, original = 1, rtCamera = 2, mirror = 3 };
 
 /// What a surface does in the shaders; any of them together.
 struct SurfaceFlags {
@@ -45,9 +47,10 @@ struct SceneBlock {
   glm::vec4 sceneSize, backgroundTop, backgroundBottom, ground;
   std::array<glm::vec4, 2> groundLook;
   std::array<glm::vec4, shapeVectors> mirrorShape;
+  std::array<glm::vec4, limits::mostClips> mirrorClip;
   glm::vec4 mirrorTint;
   std::array<glm::vec4, gpuSurfaceCount> surfaceCentre, surfaceLow, surfaceHigh;
-  std::array<glm::vec4, 2 * gpuSurfaceCount> materials;
+  std::array<glm::vec4, 2 * gpuMeshCount> materials;
   std::array<glm::vec4, gpuLightLimit> lightPosition, lightColor;
   glm::vec4 screenCorner, screenRight, screenDown;
   glm::ivec4 counts, options;

@@ -3,12 +3,15 @@
 
 // The scene block (scene_block.h).
 SHADER_CONSTANT(int, surfaceCount, anamorph::gpuSurfaceCount)
+SHADER_CONSTANT(int, meshCount, anamorph::gpuMeshCount)
 SHADER_CONSTANT(int, lightLimit, anamorph::gpuLightLimit)
 SHADER_CONSTANT(int, shapeVectors, anamorph::shapeVectors)
+SHADER_CONSTANT(int, mostClips, anamorph::limits::mostClips)
 
 // Which mesh is which, and flags of a surface.
 SHADER_CONSTANT(int, sculptureSurface, anamorph::GpuSurface::sculpture)
 SHADER_CONSTANT(int, originalSurface, anamorph::GpuSurface::original)
+SHADER_CONSTANT(int, mirrorSurface, anamorph::GpuSurface::mirror)
 SHADER_CONSTANT(int, inMirror, anamorph::SurfaceFlags::inMirror)
 SHADER_CONSTANT(int, castsShadow, anamorph::SurfaceFlags::castsShadow)
 SHADER_CONSTANT(int, castsInMirror, anamorph::SurfaceFlags::castsInMirror)

@@ -15,7 +15,8 @@ namespace {
 constexpr const char* tooLarge[] = {
     "the sculpture has too many triangles for this graphics card and is not shown in the 3D view",
     "the original has too many triangles for this graphics card and is not shown in the 3D view",
-    "the RT camera's model has too many triangles for this graphics card and is not shown in the 3D view"};
+    "the RT camera's model has too many triangles for this graphics card and is not shown in the 3D view",
+    "the mirror has too many triangles for this graphics card and is not shown in the 3D view"};
 
 /// Nothing is drawn of a mesh that is not whole.
 SurfaceSource completeOrNone(const SurfaceSource& source) {
@@ -65,10 +66,13 @@ std::vector<glm::vec4> positionTexels(const SurfaceSource& source, std::size_t f
   return texels;
 }
 
-std::vector<glm::vec4> normalTexels(const PreparedMesh& mesh, std::size_t from, std::size_t to) {
+std::vector<glm::vec4> normalTexels(const SurfaceSource& source, std::size_t from, std::size_t to) {
   std::vector<glm::vec4> texels;
   texels.reserve(to - from);
-  for (std::size_t n = from; n < to; ++n) texels.push_back(finite(glm::vec4((*mesh.normals)[n], 0)));
+  for (std::size_t n = from; n < to; ++n) {
+    const float border = source.borders ? (*source.borders)[n] : 0;
+    texels.push_back(finite(glm::vec4((*source.prepared.normals)[n], border)));
+  }
   return texels;
 }
 
@@ -136,7 +140,7 @@ void SurfaceStore::update(const SurfaceSources& wanted, Piecework& work) {
     other[SurfaceUnits::positions] =
         m.mesh != old.mesh || now.sculpture != before.sculpture || m.bvh != old.bvh;
     other[SurfaceUnits::triangles] = !sameTriangles(m, old);
-    other[SurfaceUnits::normals] = m.normals != old.normals;
+    other[SurfaceUnits::normals] = m.normals != old.normals || now.borders != before.borders;
     for (int a = 0; a < arrayCount; ++a) {
       missing_[a][i] = m.mesh && (missing_[a][i] || moved[a] || other[a]);
       if (missing_[a][i]) addUpload(work, a, i, lengths[a][i]);
@@ -214,7 +218,7 @@ void SurfaceStore::upload(int array, int i, std::size_t from, std::size_t to) {
     case SurfaceUnits::triangles:
       return send(triangleTexels(source.prepared, from, to));
     case SurfaceUnits::normals:
-      return send(normalTexels(source.prepared, from, to));
+      return send(normalTexels(source, from, to));
   }
 }
 

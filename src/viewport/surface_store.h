@@ -18,6 +18,7 @@ namespace anamorph {
 struct SurfaceSource {
   PreparedMesh prepared;
   std::shared_ptr<const Sculpture> sculpture;  ///< for the status of its vertices; null: all are usable
+  std::shared_ptr<const std::vector<float>> borders{};  ///< of a mirror, a fraction for every normal; null: 0
 
   bool operator==(const SurfaceSource&) const = default;
 };

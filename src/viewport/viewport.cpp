@@ -16,6 +16,7 @@
 #include "gl/shader.h"
 #include "viewport/bands.h"
 #include "viewport/camera_model.h"
+#include "viewport/mirror_model.h"
 #include "viewport/overlay_pass.h"
 #include "viewport/scene_block.h"
 #include "viewport/scene_pass.h"
@@ -84,6 +85,7 @@ struct Viewport::Parts {
   GLuint noVertices = 0;
 
   CameraModel cameraModel;
+  MirrorModel mirrorModel;
   SceneMeasure measure;
   Visible visible;
 };
@@ -102,6 +104,8 @@ void Viewport::Parts::begin(const ViewportInput& wanted, double wantedScale) {
   sources[0] = {input.sculpture.prepared, input.sculpture.sculpture};
   sources[1] = {input.original, nullptr};
   sources[2] = {cameraModel.at(input.level.camera, rtCameraSize(input.level.grid, measure.radius)), nullptr};
+  const MirrorTriangles& mirror = mirrorModel.at(input);
+  sources[3] = {mirror.prepared, nullptr, mirror.borders};
   surfaces.update(sources, work);
   visible = findVisible(input, surfaces.slots(), measure.radius);
   scenePass.setScreen(input.screen);

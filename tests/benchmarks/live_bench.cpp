@@ -16,13 +16,22 @@
 namespace anamorph {
 namespace {
 
-void liveStep(benchmark::State& state) {
+// Of the cylinder: 100 000 triangles.
+Shape asTriangles(const CylinderMirror& cylinder) {
+  SmoothMesh surface = tessellateGrid(
+      500, 100, [&](double u, double v) { return cylinder.pointAt(u, v); },
+      [&](double u, double) { return around(cylinder.axis(), u); });
+  return meshMirror(std::move(surface));
+}
+
+void liveStep(benchmark::State& state, bool meshMirror) {
   const int threads = static_cast<int>(state.range(0));
   Mesh knot = makeTorusKnot(2, 3, 0.25, 980, 50);  // 49 000 vertices
   knot.positions = mapPoints(knot.positions, [](const Point& p) { return Point(0, 5.4, 1.5) + p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(knot);
-  input.map.optic.shape() = CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3};
+  const CylinderMirror cylinder{{0, 0, 0}, {0, 0, 10}, 3};
+  input.map.optic.shape() = meshMirror ? asTriangles(cylinder) : Shape(cylinder);
   input.map.eye = input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 1.5};
   input.tolerancePixels = 0;
@@ -52,7 +61,17 @@ void release(benchmark::State& state, const char* name) {
   }
 }
 
-BENCHMARK(liveStep)->Name("live step")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(liveStep, cylinder, false)
+    ->Name("live step")
+    ->Arg(1)
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(liveStep, mesh, true)
+    ->Name("live step, mesh mirror")
+    ->Arg(2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(release, plane, "1-plane")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(release, cylinder, "2-cylinder")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(release, sphere, "3-sphere")->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -60,6 +79,8 @@ BENCHMARK_CAPTURE(release, sphere, "3-sphere")->Unit(benchmark::kMillisecond)->U
 const bool rows[] = {
     milliseconds("live step, 98 k triangles, 1 thread", "live step/1/real_time", "<= 8.0"),
     milliseconds("live step, 98 k triangles, 2 threads", "live step/2/real_time", "<= 8.0"),
+    milliseconds("live step, mirror of 100 k triangles, 2 threads", "live step, mesh mirror/2/real_time",
+                 "<= 40"),
     milliseconds("refine and match at 512, plane", "release/plane/real_time", "<= 1000"),
     milliseconds("refine and match at 512, cylinder", "release/cylinder/real_time", "<= 1000"),
     milliseconds("refine and match at 512, sphere", "release/sphere/real_time", "<= 1000"),

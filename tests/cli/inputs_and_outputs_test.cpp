@@ -14,8 +14,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_files.h"
+#include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "program.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -58,6 +60,12 @@ class InputsAndOutputs : public ::testing::TestWithParam<Case> {
     for (const char* name : {"zero", "zero.json", "zero.obj"}) fs::create_symlink("/dev/zero", at(name));
     for (const char* name : {"pipe", "pipe.json", "pipe.obj"}) ::mkfifo(at(name).c_str(), 0600);
     for (const char* name : {"empty.json", "empty.obj"}) writeText(at(name), "");
+    level.optic.shape() = MeshMirror{{"b.obj", nullptr, {}}, {}};
+    level.original.shape = BoxShape{};
+    saveLevel(at("mirror.json"), level);
+    level.optic.shape() = MeshMirror{{"gone.obj", nullptr, {}}, {}};
+    saveLevel(at("no-mirror.json"), level);
+    level.optic.shape() = PlaneMirror{};
     level.original.shape = FileShape{"pipe.obj"};
     saveLevel(at("pipe-mesh.json"), level);
   }
@@ -129,6 +137,21 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"@ export - -o my.json <my.json", 2, "my.json: this is /dev/stdin"},
                       Case{"@ deform 1-plane b.obj -o - --format obj >>b.obj", 2, "-: this is b.obj"},
                       Case{"@ render my.json -o link.png", 2, "link.png: this is my.json"}),
+    named);
+
+INSTANTIATE_TEST_SUITE_P(
+    AMirrorFromAFile, InputsAndOutputs,
+    ::testing::Values(Case{"@ deform mirror.json -o b.obj", 2, "b.obj: this command reads it"},
+                      Case{"@ deform mirror.json -o hard.obj", 2, "hard.obj: this is b.obj, which"},
+                      Case{"@ export mirror.json -o link.obj", 2, "link.obj: this is b.obj, which"},
+                      Case{"@ deform no-mirror.json -o new.obj", 1,
+                           "no-mirror.json: the mesh mirror cannot be used: gone.obj: cannot open: No such "
+                           "file or directory."},
+                      Case{"@ render no-mirror.json -o new.png", 1,
+                           "the mesh mirror cannot be used: gone.obj: cannot open"},
+                      Case{"@ check no-mirror.json", 1,
+                           "the mesh mirror cannot be used: gone.obj: cannot open"},
+                      Case{"@ check mirror.json", 0, "b.obj: some triangles lean by"}),
     named);
 
 #ifdef ANAMORPH_GUI

@@ -9,11 +9,14 @@
 #include "cli/program.h"
 #include "edit/session.h"
 #include "error_text.h"
+#include "geometry/mesh_files.h"
 #include "geometry/shapes.h"
+#include "level/freeze.h"
 #include "level/level_json.h"
 #include "level/random_level.h"
 #include "pipeline/original.h"
 #include "save_session.h"
+#include "shapes.h"
 
 namespace anamorph {
 namespace {
@@ -73,6 +76,42 @@ TEST_F(MovedLevel, NamesTheSameMeshFromEveryFolder) {
     EXPECT_TRUE(findsMesh()) << file;
     session.undo();
   }
+}
+
+// The surface that is reflected by is found again like the original's mesh, now and at every step of the history.
+TEST_F(MovedLevel, FindsTheFileOfItsMirrorFromAnotherFolder) {
+  saveMesh(folder / "a/meshes/ball.obj", makeSphere(1, 64));
+  Level level = session.level();
+  level.optic.shape() = MeshMirror{{"meshes/ball.obj", nullptr, {}}, {.position = {0, 0, 3}}};
+  level = frozen(level);
+  saveLevel(folder / "a/mirror.json", level);
+  session.open(folder / "a/mirror.json");
+  ASSERT_EQ(findProblem(session.level().optic), std::nullopt);
+  level = session.level();
+  level.sculpture.depthScale = 2;
+  session.edit(level);
+  testing::saveTo(session, folder / "b/mirror.json");
+  EXPECT_FALSE(session.modified());
+  session.undo();
+  const Level again = readLevelFile(folder / "b/mirror.json").loaded.level;
+  for (const Level& one : {session.level(), again}) {
+    for (const Optic& optic : {one.optic, one.sculpture.frozen->optic}) {
+      const auto* mirror = optic.shape().as<MeshMirror>();
+      EXPECT_EQ(mirror->file.path, "../a/meshes/ball.obj");
+      EXPECT_EQ(findProblem(optic), std::nullopt);
+    }
+  }
+}
+
+TEST_F(MovedLevel, AsTextNamesTheFileOfItsMirrorWithoutFolders) {
+  saveMesh(folder / "a/meshes/ball.obj", makeSphere(1, 64));
+  Level level = session.level();
+  level.optic.shape() = MeshMirror{{(folder / "a/meshes/ball.obj"), nullptr, {}}, {}};
+  const auto pathOfMirror = [](const Level& one) { return one.optic.shape().as<MeshMirror>()->file.path; };
+  const Level sent = levelFromText(levelAsText(level, session.path()), {}, session.path()).level;
+  EXPECT_EQ(pathOfMirror(sent), "meshes/ball.obj");
+  EXPECT_EQ(findProblem(sent.optic), std::nullopt) << "what is pasted is read";
+  EXPECT_EQ(pathOfMirror(levelFromText(levelAsText(level, {}), {}, "/nowhere/level.json").level), "ball.obj");
 }
 
 TEST_F(MovedLevel, IsNamedAsAWholeWhereThereIsNoFolderInCommon) {

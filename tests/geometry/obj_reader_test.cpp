@@ -224,5 +224,71 @@ TEST(ObjReader, MoreCornersThanAnyPolygonHas) {
             "m.obj: line 5: expected at most 100000 corners, got 100001");
 }
 
+struct Smooth {
+  SmoothMesh surface;
+  std::vector<std::string> warnings;
+
+  Vector normal(std::size_t triangle, std::size_t corner) const {
+    return surface.normals[surface.normalsOf(triangle)[corner]];
+  }
+};
+
+Smooth readSmooth(const std::string& text) {
+  MeshRemarks remarks("m.obj");
+  SmoothMesh surface = readSmoothObj(text, remarks);
+  return {std::move(surface), remarks.warnings()};
+}
+
+const std::string fourNormals = "vn 0 0 5\nvn 0 7 0\nvn 0 -1 0\nvn 1e200 0 0\n";
+
+TEST(ObjReader, NormalsAreUnitAndBelongToCorners) {
+  const Smooth read = readSmooth(square + fourNormals + "f 1//2 2//1 3//3\nf 1/9/4 3/9/-1 4//-4\n");
+  EXPECT_EQ(read.warnings, std::vector<std::string>{});
+  EXPECT_EQ(read.normal(0, 0), Vector(0, 1, 0));
+  EXPECT_EQ(read.normal(0, 1), Vector(0, 0, 1));
+  EXPECT_EQ(read.normal(0, 2), Vector(0, -1, 0));
+  EXPECT_EQ(read.normal(1, 0), Vector(1, 0, 0)) << "another one at the same vertex";
+  EXPECT_EQ(read.normal(1, 1), Vector(1, 0, 0)) << "the last so far";
+  EXPECT_EQ(read.normal(1, 2), Vector(0, 0, 1)) << "the fourth from the end";
+}
+
+TEST(ObjReader, NormalsFollowTheCornersOfPolygonsThatAreCut) {
+  for (const char* faces : {"f 1//1 2//2 3//3 4//4\n", "f 1//1 2//2 9//2\nf 1//1 2//2 3//3 4//4\n",
+                            "f 2//2 2//2 2//3\nf 1//1 2//2 3//3 4//4\n"}) {
+    const Smooth read = readSmooth(square + fourNormals + faces);
+    ASSERT_EQ(read.surface.mesh.triangles.size(), 2u);
+    const Vector expected[] = {{0, 0, 1}, {0, 1, 0}, {0, -1, 0}, {1, 0, 0}};
+    for (std::size_t t = 0; t < 2; ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(read.normal(t, i), expected[read.surface.mesh.triangles[t][i]]) << faces;
+      }
+    }
+  }
+}
+
+TEST(ObjReader, CornersWithoutANormalHaveThatOfTheirFaces) {
+  const std::string bad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 1 0\nvn 0 0 0\nvn a b c\nvn 1 2\nvn nan 0 1\n";
+  for (const char* index : {"", "//2", "//3", "//4", "//5", "//99", "//-9", "//0", "/1"}) {
+    const Smooth read = readSmooth(bad + "f 1//1 2//1 3" + index + "\n");
+    EXPECT_EQ(read.normal(0, 0), Vector(0, 1, 0)) << index;
+    EXPECT_EQ(read.normal(0, 2), Vector(0, 0, 1)) << index;
+    EXPECT_EQ(read.warnings, std::vector<std::string>{
+                                 "m.obj: 1 corner without a normal of its own; it has that of its faces"});
+  }
+}
+
+TEST(ObjReader, AFileWithoutNormalsHasThoseOfItsFaces) {
+  const Smooth read = readSmooth(square + "f 1 2 3 4\n");
+  EXPECT_EQ(read.warnings, std::vector<std::string>{});
+  for (std::size_t t = 0; t < 2; ++t) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(read.normal(t, i), Vector(0, 0, 1));
+  }
+}
+
+TEST(ObjReader, OtherReadersOfAFileWithNormalsHaveTheSameMesh) {
+  const std::string text = square + fourNormals + "f 1//2 2//1 3//3 4//1\nf 1 2 7\n";
+  EXPECT_EQ(readSmooth(text).surface.mesh, read(text));
+}
+
 }  // namespace
 }  // namespace anamorph

@@ -12,6 +12,7 @@
 
 #include "geometry/mesh_files.h"
 #include "level/level_json.h"
+#include "pipeline/mirror_files.h"
 #include "pipeline/original.h"
 #include "pipeline/stages.h"
 
@@ -58,7 +59,8 @@ class Expected : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Expected, VerticesAreRightToTwelveDigits) {
   const auto [scene, model, folds] = GetParam();
-  const LoadedLevel loaded = loadLevel(fileOf(scene));
+  LoadedLevel loaded = loadLevel(fileOf(scene));
+  readMirrorFiles(loaded.level, fileOf(scene));
   const Mesh mesh = loadMesh(data + "/meshes/" + model + ".obj").mesh;
   DeformInput input =
       makeDeformInput(loaded.level, placeOriginal(mesh, false, loaded.level.original.placement));
@@ -95,9 +97,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"framework-sphere-2", "box"}, Case{"framework-sphere-2", "cube"},
                       Case{"thesis-flat", "box"}, Case{"thesis-flat", "cube"}, Case{"thesis-sphere", "box"},
                       Case{"thesis-sphere", "cube"}, Case{"cone", "box"}, Case{"cone", "cube"},
-                      Case{"cone", "points"}, Case{"dish", "cube", true}, Case{"dish", "points", true},
-                      Case{"floor-mirror", "cube"}, Case{"floor-mirror", "points"},
-                      Case{"paraboloid", "cube"}, Case{"paraboloid", "points"}),
+                       Case{"cone", "points"}, Case{"dish", "cube", true}, Case{"dish", "points", true},
+                       Case{"floor-mirror", "cube"}, Case{"floor-mirror", "points"},
+                       Case{"paraboloid", "cube"}, Case{"paraboloid", "points"}, Case{"mesh", "cube"},
+                       Case{"mesh", "points"}),
     [](const auto& each) {
       std::string name = std::string(each.param.scene) + "_" + each.param.model;
       std::replace(name.begin(), name.end(), '-', '_');

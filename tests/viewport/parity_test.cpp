@@ -218,7 +218,53 @@ TEST_F(CanvasParity, InsideOfACylinderRaysAreReflectedAgainAndAgain) {
   EXPECT_FALSE(pictures[2] == pictures[3]) << "more than two reflections are seen";
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, Parity, testing::Values("1-plane", "2-cylinder", "3-sphere", "cone"));
+// A ball of which a slice and a corner are kept, so that rays pass through what is cut away and meet its inside.
+TEST_F(CanvasParity, ACutMirrorShowsWhatTheTracerShows) {
+  constexpr int size = 240;
+  Level level = finishedLevel("3-sphere").level;
+  const SphereMirror ball = shapeAs<SphereMirror>(level.optic.shape());
+  level.optic.shape().clipBy({{ball.centre + Vector(0, 0, 0.4 * ball.radius), {0.1, 0, -1}},
+                              {ball.centre - Vector(0.5 * ball.radius, 0, 0), {3, 0.5, 0}}});
+  const LevelResult finished = *finishLevel(level, finishedLevel("3-sphere").original.mesh, 0);
+  const Bitmap view = pictureOf(tracerInput(finished, size, size));
+  const Difference all = differenceOf(view, tracedPicture(finished, size, size), everywhere);
+  EXPECT_LE(all.meanAbsolute, 0.15);
+  EXPECT_LE(all.fractionOver16, 0.002);
+  const Difference whole =
+      differenceOf(view, tracedPicture(finishedLevel("3-sphere"), size, size), everywhere);
+  EXPECT_GT(whole.fractionOver16, 0.02) << "something is cut away";
+}
+
+// The triangles of a ball, cut off too, are nearly the ball itself.
+TEST_F(CanvasParity, AMirrorOfTrianglesShowsWhatTheExactOneDoes) {
+  constexpr int size = 240;
+  Level level = finishedLevel("3-sphere").level;
+  const SphereMirror ball = shapeAs<SphereMirror>(level.optic.shape());
+  SmoothMesh surface;
+  surface.mesh = tessellate(ball, 256).mesh;
+  surface.normals =
+      mapPoints(surface.mesh.positions, [&](const Point& p) { return (p - ball.centre) / ball.radius; });
+  for (const bool cut : {false, true}) {
+    level.optic.shape() = ball;
+    if (cut) level.optic.shape().clipBy({{ball.centre, {0.3, 0, -1}}});
+    const LevelResult exact = *finishLevel(level, finishedLevel("3-sphere").original.mesh, 0);
+    const std::vector<HalfSpace> clip = level.optic.shape().clip();
+    level.optic.shape() = meshMirror(surface);
+    level.optic.shape().clipBy(clip);
+    LevelResult finished = exact;
+    finished.level = level;
+    const Bitmap view = pictureOf(tracerInput(finished, size, size));
+    const Difference all = differenceOf(view, tracedPicture(exact, size, size), everywhere);
+    EXPECT_LE(all.meanAbsolute, 0.5) << cut;
+    EXPECT_LE(all.fractionOver16, 0.01) << cut;
+    const Difference own = differenceOf(view, tracedPicture(finished, size, size), everywhere);
+    EXPECT_LE(own.meanAbsolute, 0.15) << cut;
+    EXPECT_LE(own.fractionOver16, 0.002) << cut;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Parity,
+                         testing::Values("1-plane", "2-cylinder", "3-sphere", "cone", "mesh"));
 
 }  // namespace
 }  // namespace anamorph::test

@@ -67,7 +67,8 @@ TEST_F(Shaders, AllCompileForWebGl2) {
 
 TEST_F(Shaders, EveryShapeHasItsFile) {
   for (const ShapeType& type : shapeTypes())
-    EXPECT_TRUE(fs::exists(shaderFolder / "shapes" / (std::string(type.name) + ".glsl"))) << type.name;
+    EXPECT_TRUE(fs::exists(shaderFolder / "shapes" / (std::string(shaderOf(type.standard)) + ".glsl")))
+        << type.name;
 }
 
 }  // namespace

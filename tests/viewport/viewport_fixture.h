@@ -10,6 +10,7 @@
 #include "gl/test_context.h"
 #include "level/level_json.h"
 #include "pipeline/evaluator.h"
+#include "pipeline/mirror_files.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
 #include "raytrace/png.h"
@@ -26,7 +27,8 @@ inline const LevelResult& finishedLevel(const std::string& name) {
   const std::string path = std::filesystem::exists(installed)
                                ? installed
                                : std::string(ANAMORPH_TEST_DATA) + "/levels/" + name + ".json";
-  const Level level = loadLevel(path).level;
+  Level level = loadLevel(path).level;
+  readMirrorFiles(level, path);
   const auto shape = loadOriginal(level.original.shape, path).mesh;
   const auto original = placeOriginal(*shape, level.original.unitize, level.original.placement);
   return levels.emplace(name, *finishLevel(level, original, 0)).first->second;

@@ -1,0 +1,52 @@
+#include "edit/mirror_import.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/language.h"
+#include "base/text.h"
+#include "level/limits.h"
+#include "level/surface_files.h"
+#include "optics/shape_table.h"
+#include "pipeline/mirror_files.h"
+#include "pipeline/original.h"
+
+namespace anamorph {
+namespace {
+
+// One that is made of a file, which it has not got yet.
+Shape shapeOfFile(const ShapeExtent& room, const Point& eye) {
+  const auto type =
+      std::find_if(shapeTypes().begin(), shapeTypes().end(), [](const ShapeType& t) { return t.needsFile; });
+  CHECK(type != shapeTypes().end());
+  return type->filling(room, eye);
+}
+
+Shape fitted(const Shape& shape, const Box& room) {
+  const Box own = boxOf(shape);
+  const double factor = factorInto(own, room);
+  ShapeMap map{[&](const Point& p) { return room.centre() + factor * (p - own.centre()); }, Vector(factor)};
+  map.minSize = limits::lengths.min;
+  map.maxSize = limits::lengths.max;
+  return mapShape(shape, map);
+}
+
+}  // namespace
+
+EditResult importMirror(const MirrorImport& import, const Level& level, const Progress& progress) {
+  const Shape& old = level.optic.shape();
+  Level result = level;
+  Shape& mirror = result.optic.shape();
+  mirror = shapeOfFile(extentOf(old), level.camera.eye);
+  changeSurfaceFiles(result, [&](SurfaceFile& file) {
+    if (file.path.empty()) file.path = import.name;
+  });
+  const auto warnings = readMirrorFiles(result, import.levelPath, {}, &progress.token);
+  if (const auto problem = findShapeProblem(mirror)) throw Error(*problem);
+  if (!findShapeProblem(old)) mirror = fitted(mirror, boxOf(old));
+  const std::string name = std::filesystem::path(import.name).filename().string();
+  return {result, withRemarks(trFormat("The mirror is {}; Ctrl+Z takes it back.", name), warnings)};
+}
+
+}  // namespace anamorph

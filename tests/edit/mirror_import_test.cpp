@@ -1,0 +1,46 @@
+#include "edit/mirror_import.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "error_text.h"
+#include "geometry/mesh_files.h"
+#include "geometry/shapes.h"
+#include "level/level_json.h"
+#include "optics/mesh_mirror.h"
+
+namespace anamorph {
+namespace {
+
+using namespace testing;
+
+class MirrorImports : public ::testing::Test {
+ protected:
+  MirrorImports() { saveMesh(folder / "ball.obj", makeSphere(0.001, 96)); }
+  EditResult import(const std::string& name) const {
+    return importMirror({name, folder / "level.json"}, Level{});
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(MirrorImports, FitIntoTheOldOnesPlace) {
+  const EditResult result = import("ball.obj");
+  ASSERT_TRUE(result.level);
+  const auto* mirror = result.level->optic.shape().as<MeshMirror>();
+  ASSERT_TRUE(mirror);
+  EXPECT_EQ(mirror->file.path, "ball.obj");
+  EXPECT_EQ(findProblem(result.level->optic), std::nullopt);
+  const Box room = boxOf(Level{}.optic), box = boxOf(result.level->optic);
+  EXPECT_LT(glm::length(box.centre() - room.centre()), 1e-9);
+  EXPECT_NEAR(box.size().z, room.size().z, 1e-9);
+  EXPECT_EQ(result.message, "The mirror is ball.obj; Ctrl+Z takes it back.");
+  saveLevel(folder / "level.json", *result.level);  // what is made can be saved
+}
+
+TEST_F(MirrorImports, ThatCannotBeUsedChangeNothing) {
+  EXPECT_EQ(errorOf([&] { import("gone.obj"); }),
+            folder / "gone.obj" + ": cannot open: No such file or directory");
+}
+
+}  // namespace
+}  // namespace anamorph
