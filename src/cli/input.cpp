@@ -118,11 +118,20 @@ bool isStandardInput(const std::string& name) {
   return name == "-";
 }
 
+std::filesystem::path levelNamed(const std::string& name) {
+  try {
+    return findLevel(name);
+  } catch (const Error& error) {
+    levelFolder();  // that there are no levels at all is another fault
+    throw UsageError(error.what());
+  }
+}
+
 std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name) {
   if (isStandardInput(name)) {
     return {standardInputName, parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName)};
   }
-  const std::string path = findLevel(name).string();
+  const std::string path = levelNamed(name).string();
   return {path, loadLevel(path)};
 }
 
