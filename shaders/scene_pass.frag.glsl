@@ -35,13 +35,16 @@ MeshHit intersectSeen(uint id, Ray ray, out Corners corners) {
   return hit;
 }
 
-// Light between a glass shell and a drawing: clear where one looks through, bright at the rim.
-vec4 ghostColor(Hit hit, Ray ray) {
+// Light between a glass shell and a drawing: clear where one looks through; at the rim bright over what is dark, and dark
+// over what is bright.
+vec4 ghostColor(Hit hit, Ray ray, vec3 behind) {
   float facing = clamp(-dot(hit.normal, ray.direction), 0.0, 1.0);
   float rim = pow(1.0 - facing, 2.5);
   float sky = 0.5 + 0.5 * hit.normal.z;
   vec3 body = materials[2 * originalSurface].rgb * mix(0.6, 1.25, sky);
-  vec3 tint = mix(body + 0.05, vec3(0.72, 0.84, 1.0), 0.75 * rim);
+  float bright = smoothstep(0.45, 0.7, dot(behind, vec3(0.2126, 0.7152, 0.0722)));
+  vec3 rimTint = mix(vec3(0.72, 0.84, 1.0), vec3(0.02, 0.1, 0.36), bright);
+  vec3 tint = mix(body + 0.05, rimTint, 0.75 * rim);
   return vec4(tint, mix(0.5, 0.95, rim));
 }
 
@@ -92,7 +95,7 @@ void main() {
 #if defined(GHOST) && defined(TRACED)
   MeshHit ghostMesh = intersectSeen(clear, ray, corners);
   if (ghostMesh.surface >= 0) {
-    ghost = ghostColor(meshHit(ghostMesh, corners, ray), ray);
+    ghost = ghostColor(meshHit(ghostMesh, corners, ray), ray, result.rgb);
     ghostT = ghostMesh.t;
     // It is seen through the mirror, but neither over what the mirror shows of the sculpture nor over a sculpture in
     // the same place: their colours would mix to one that neither has.

@@ -16,10 +16,10 @@
 #include "app/headless_gui.h"
 #include "base/error.h"
 #include "base/temporary_file.h"
+#include "cli/input.h"
 #include "cli/print.h"
 #include "cli/report.h"
 #include "gl/load_gl.h"
-#include "level/level_library.h"
 #include "panels/view_panel.h"
 
 namespace anamorph {
@@ -154,7 +154,7 @@ void printActions(const std::vector<ActionFrames>& actions) {
 
 void bench(const BenchOptions& options, const CommonOptions& common) {
   ScratchFolder folder;
-  std::filesystem::path level = findLevel(options.level);
+  std::filesystem::path level = levelNamed(options.level);
   if (options.triangles > 0) level = writeKnotLevel(level, options.triangles, folder.path());
   const HeadlessContext context;
   Preferences preferences;

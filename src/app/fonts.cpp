@@ -129,6 +129,10 @@ std::vector<std::string> explainMissing(const Letters& letters) {
   }
   std::size_t found = 0;
   const Letters drawable = drawableOf(letters);
+  const auto shaped = std::count_if(letters.begin(), letters.end(), findShapedScript);
+  if (letters.size() - static_cast<std::size_t>(shaped) > drawable.size())
+    say(trFormat("This text needs more than {} different letters; for the others there are empty frames.",
+                 mostLetters));
   for (const FontFile& file : findFontsFor(drawable)) found += file.letters.size();
   if (found < drawable.size())
     say(tr("This text needs letters that no font of this computer has; install a font for its language."));

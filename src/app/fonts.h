@@ -21,7 +21,7 @@ void addLetters(std::string_view text, Letters& letters);
 Fonts loadFonts(double pixels, bool huge, const Letters& letters);
 
 /// What is to be said about those of the letters that cannot be drawn: a sentence for each script, one for all letters
-/// that no font has.
+/// that no font has, one when they are too many.
 std::vector<std::string> explainMissing(const Letters& letters);
 
 }  // namespace anamorph

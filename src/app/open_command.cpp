@@ -12,7 +12,6 @@
 #include "cli/input.h"
 #include "geometry/mesh_files.h"
 #include "level/languages.h"
-#include "level/level_library.h"
 
 namespace anamorph {
 
@@ -57,7 +56,7 @@ void addOpenCommand(CLI::App& app, CommonOptions&) {
     window.model = options->model;
     for (const std::string& name : {options->level, options->model}) checkInput(name);
     if (!window.model.empty()) loadMesh(window.model);
-    window.level = readLevelFile(findLevel(options->level));  // an Error comes before a window does
+    window.level = readLevelFile(levelNamed(options->level));  // an Error comes before a window does
     checkStep(options->step, window.level.loaded.lesson);
     if (!options->language.empty()) chooseLanguage(options->language);
     window.language = options->language;

@@ -1,7 +1,5 @@
 #include "app/progress_file.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "app/file_lock.h"

@@ -5,12 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "base/count.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/input.h"
 #include "cli/print.h"
 #include "cli/report.h"
+#include "exports/inside_out.h"
+#include "exports/print_repairs.h"
 #include "level/json_places.h"
 #include "level/lesson_check.h"
 #include "level/level_json.h"
@@ -31,15 +34,42 @@ struct Finding {
   }
 };
 
+// What of a surface that can be read will trouble whoever wants to print it, each as far as there is any.
+std::vector<std::string> surfaceRemarks(const Mesh& welded, const std::string& file) {
+  const Surface surface = measureSurface(welded);
+  const SurfaceTopology& topology = surface.topology;
+  const std::size_t doubled = findDoubled(welded.triangles).size();
+  struct Count {
+    std::size_t count;
+    const char *one, *many;
+  };
+  const Count counts[] = {
+      {doubled, "triangle is there twice", "triangles are there twice"},
+      {doubled > 0 ? 0 : topology.crowdedEdges, "edge has three or more triangles",
+       "edges have three or more triangles"},
+      {topology.turnedEdges, "edge has triangles that face different ways",
+       "edges have triangles that face different ways"},
+      {topology.pinchedCorners, "point is all that holds two parts together",
+       "points are all that holds parts together"},
+      {findInsideOut(welded, surface).size(), "closed part is inside out", "closed parts are inside out"}};
+  std::vector<std::string> remarks;
+  for (const Count& c : counts) {
+    if (c.count > 0) remarks.push_back(file + ": " + countOf(c.count, c.one, c.many));
+  }
+  return remarks;
+}
+
 void checkMesh(const LoadedMesh& loaded, const std::string& file, Finding& finding) {
   finding.warn(loaded.warnings);
   const Mesh& mesh = loaded.mesh;
   const Vector size = boundingBox(mesh.positions).size();
   const WeldedMesh welded = weldPositions(mesh);
   if (welded.mesh.triangles.empty()) throw Error("expected triangles with an area, got none", file);
-  finding.summary = fmt::format("mesh, {} vertices, {} triangles, {:.4g} x {:.4g} x {:.4g}, {}",
-                                mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z,
-                                isClosed(welded.mesh) ? "closed" : "not closed");
+  finding.warn(surfaceRemarks(welded.mesh, file));
+  finding.summary = fmt::format("mesh, {}, {}, {:.4g} x {:.4g} x {:.4g}, {}",
+                                countOf(mesh.positions.size(), "vertex", "vertices"),
+                                countOf(mesh.triangles.size(), "triangle", "triangles"), size.x, size.y,
+                                size.z, isClosed(welded.mesh) ? "closed" : "not closed");
 }
 
 void checkScene(const Level& level, Finding& finding) {

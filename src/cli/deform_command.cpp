@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/count.h"
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/input.h"
@@ -57,8 +58,8 @@ void deform(const DeformOptions& options, const CommonOptions& common) {
 
   const bool ownVertices = input.level.sculpture.tolerancePixels == 0;
   if (!common.json) {
-    sayMessage(common, fmt::format("{}: {} vertices, {} triangles", output.name(),
-                                   sculpture.mesh.positions.size(), sculpture.mesh.triangles.size()));
+    sayMessage(common, output.name() + ": " + countOf(sculpture.mesh.positions.size(), "vertex", "vertices") +
+                           ", " + countOf(sculpture.mesh.triangles.size(), "triangle", "triangles"));
     return;
   }
   const Box box = mappedBox(sculpture);

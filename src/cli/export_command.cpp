@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/folder.h"
+#include "base/language.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/input.h"
@@ -185,10 +186,10 @@ std::size_t writeFiles(const LevelResult& finished, const std::vector<ExportRequ
 std::string checkText(const PrintCheck& check, std::size_t notMapped) {
   const std::vector<std::string> problems = findPrintProblems(check, notMapped);
   const std::vector<std::string> hints = findPrintHints(check);
-  std::string text = fmt::format("{}{:<20}{}\n", formatPrintCheck(check), "printable",
-                                 !problems.empty() ? "not as it is"
-                                 : hints.empty()   ? "yes"
-                                                   : "yes, with care");
+  std::string text = fmt::format("{}{:<20}{}\n", formatPrintCheck(check), tr("printable"),
+                                 tr(!problems.empty() ? "not as it is"
+                                    : hints.empty()   ? "yes"
+                                                      : "yes, with care"));
   for (const std::string& problem : problems) text += "- " + problem + "\n";
   for (const std::string& hint : hints) text += "- " + hint + "\n";
   return text;
@@ -283,7 +284,7 @@ void addExportCommand(CLI::App& app, CommonOptions& common) {
                 "Of picture and match report's pictures in pixels: N, the longer side (default 512), or "
                 "WIDTHxHEIGHT");
   addLanguageOption(*command, options->language,
-                    "Of viewing sheet and match report: en, nl, ... (default en)");
+                    "Of viewing sheet, match report and what is said of the files: en, nl, ... (default en)");
   addJsonOption(*command, common);
   addCommonOptions(*command, common);
   command->callback([options, &common] { exportFiles(*options, common); });

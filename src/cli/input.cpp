@@ -134,13 +134,22 @@ LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path) {
   return loaded;
 }
 
+std::filesystem::path levelNamed(const std::string& name) {
+  try {
+    return findLevel(name);
+  } catch (const Error& error) {
+    levelFolder();  // that there are no levels at all is another fault
+    throw UsageError(error.what());
+  }
+}
+
 std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name) {
   if (isStandardInput(name)) {
     return {standardInputName,
             withMirrors(parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName),
                         standardInputName)};
   }
-  const std::string path = findLevel(name).string();
+  const std::string path = levelNamed(name).string();
   return {path, withMirrors(loadLevel(path), path)};
 }
 

@@ -58,8 +58,10 @@ Input loadInput(const InputOptions& options, const CommonOptions& common,
 
 /// What is named by - is standard input.
 bool isStandardInput(const std::string& name);
+/// The file or the installed level of that name. Throws UsageError where there is neither.
+std::filesystem::path levelNamed(const std::string& name);
 /// The level or scene of that name: a file, an installed one, or standard input, and what the file is called. Throws
-/// Error.
+/// Error, and UsageError as levelNamed().
 std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name);
 /// A level that was read, with the meshes of its mirrors and what there is to say of them; it is in the file `path`.
 LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path);

@@ -1,7 +1,6 @@
 #include "edit/editor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/language.h"

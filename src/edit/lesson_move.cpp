@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "edit/level_edits.h"
 #include "edit/replacements.h"
 #include "level/freeze.h"
 #include "level/level_fields.h"
+#include "level/move_numbers.h"
 
 namespace anamorph {
 namespace {
@@ -42,21 +42,14 @@ double eased(double t) {
 
 Level levelAt(const StepMove& move, const Level& begun, double fraction) {
   Level level = begun;
-  const auto towards = [&](auto& value, const auto& goal) {
-    if (goal) value = fraction >= 1 ? *goal : glm::mix(value, *goal, eased(fraction));
-  };
-  towards(level.camera.eye, move.eye);
-  towards(level.original.placement.position, move.original);
-  towards(level.sculpture.depthScale, move.depthScale);
-  towards(level.sculpture.depthOffset, move.depthOffset);
-  towards(level.camera.fovDegrees, move.fovDegrees);
+  const double part = eased(fraction);
+  setNumbers(level, move, part);
   if (move.controlPoint && move.controlBy) {
-    level = moved(level, {Part::controlPoint, *move.controlPoint},
-                  (fraction >= 1 ? 1 : eased(fraction)) * *move.controlBy);
+    level = moved(level, {Part::controlPoint, *move.controlPoint}, part * *move.controlBy);
   }
   if (move.mirror) {
     const Vector way = *move.mirror - middleOf(begun.optic.shape());
-    level = moved(level, {Part::mirror}, (fraction >= 1 ? 1 : eased(fraction)) * way);
+    level = moved(level, {Part::mirror}, part * way);
   }
   return level;
 }
@@ -67,11 +60,7 @@ Level begun(const StepMove& move, Level level, const Box& box) {
     level.optic.shape() =
         mirrorOfKind(numberOf(shapeNames(), move.mirrorKind), level.optic.shape(), level.camera.eye);
   }
-  if (move.tolerancePixels) level.sculpture.tolerancePixels = *move.tolerancePixels;
-  if (auto* made = std::get_if<BoxShape>(&level.original.shape); made && move.segments) {
-    made->segments = *move.segments;
-  }
-  for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
+  setSwitches(level, move);
   if (!move.freeze) return level;
   level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);
   level.sculpture.depthOffset = move.depthOffset.value_or(level.sculpture.depthOffset);

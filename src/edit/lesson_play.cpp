@@ -1,9 +1,12 @@
 // "Do it": the move of a step, made before the student's eyes.
 
 #include <algorithm>
+#include <variant>
 
+#include "base/language.h"
 #include "edit/lesson_move.h"
 #include "edit/lesson_run.h"
+#include "edit/lesson_start.h"
 
 namespace anamorph {
 namespace {
@@ -29,19 +32,48 @@ void answerRight(Editor& editor) {
   answerStep(editor, static_cast<std::size_t>(right - question->answers.begin()));
 }
 
+// Numbers of vertices are those of the step's own original, and only a box has segments.
+bool isForOriginal(const Editor& editor, const StepMove& move) {
+  const auto& shape = editor.session.level().original.shape;
+  if (move.segments && !std::holds_alternative<BoxShape>(shape)) return false;
+  return !(move.vertex || move.ends) || shape == startOf(editor, editor.lesson.step).original.shape;
+}
+
 }  // namespace
 
 void playStep(Editor& editor) {
   LessonRun& run = editor.lesson;
   if (run.empty() || !run.open().show.play) return;
   finishPlay(editor);
+  const StepMove& move = *run.open().show.play;
+  const Level& level = editor.session.level();
+  if (!isForOriginal(editor, move)) {
+    editor.status.sayOf(
+        level,
+        tr("This move needs the level's own original, and you have another one: Again brings it back."));
+    return;
+  }
   answerRight(editor);
   editor.session.finishChange();
-  const StepMove& move = *run.open().show.play;
   moveView(editor, move);
-  const Level& level = editor.session.level();
   run.play = StepPlay{
       move, begun(move, level, originalBox(editor)), level, editor.display.morph, editor.preview.wipe, 0};
+}
+
+std::vector<Point> pointsOfMove(const Editor& editor) {
+  const LessonRun& run = editor.lesson;
+  const auto& mesh = editor.updater.result().original.mesh;
+  if (run.empty() || !run.open().show.play || !mesh || !isForOriginal(editor, *run.open().show.play))
+    return {};
+  const StepMove& move = *run.open().show.play;
+  std::vector<Point> points;
+  const auto add = [&](int vertex) {
+    const auto i = static_cast<std::size_t>(vertex);
+    if (i < mesh->positions.size()) points.push_back(mesh->positions[i]);
+  };
+  if (move.vertex) add(*move.vertex);
+  if (move.ends) std::for_each(move.ends->begin(), move.ends->end(), add);
+  return points;
 }
 
 bool advancePlay(Editor& editor, double seconds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/language.h"
 #include "edit/lesson_start.h"
@@ -9,7 +10,7 @@
 namespace anamorph {
 namespace {
 
-constexpr double turnedDegrees = 10;
+constexpr double turnedDegrees = 20;
 constexpr double wipedShare = 0.1;  // of the picture's width
 
 LessonFacts factsOf(const Editor& editor) {
@@ -23,6 +24,12 @@ bool hasTurned(const ViewPose& from, const ViewPose& to) {
   const Vector a = from.target - from.eye, b = to.target - to.eye;
   const double lengths = glm::length(a) * glm::length(b);
   return lengths > 0 && glm::dot(a, b) < std::cos(radians(turnedDegrees)) * lengths;
+}
+
+// Degrees below the horizon.
+double lookingDown(const ViewPose& pose) {
+  const Vector ahead = pose.target - pose.eye;
+  return degrees(std::atan2(-ahead.z, std::hypot(ahead.x, ahead.y)));
 }
 
 bool previewIs(const Editor& editor, const std::string& tab) {
@@ -49,18 +56,124 @@ bool hasFewerVertices(const Editor& editor, double count) {
   return mesh && static_cast<double>(mesh->positions.size()) < count;
 }
 
-bool isRight(Mistakes mistakes, const std::string& which) {
-  return !mistakeOf(mistakes, which);
+// What of the match a condition asks; nothing when it asks nothing of it.
+using MatchTest = std::function<bool(const MatchReport&)>;
+
+MatchTest matchTest(const StepCondition& condition) {
+  const double value = condition.value;
+  switch (condition.when) {
+    case StepEvent::matchAbove:
+      return [=](const MatchReport& report) { return report.silhouetteIou > value; };
+    case StepEvent::matchBelow:
+      return [=](const MatchReport& report) { return report.silhouetteIou < value; };
+    case StepEvent::hiddenShareAbove:
+      return [=](const MatchReport& report) { return report.hiddenShare > value; };
+    case StepEvent::hiddenShareBelow:
+      // Where nothing is seen, nothing is hidden either: that is not what is asked for.
+      return
+          [=](const MatchReport& report) { return report.comparedPixels > 0 && report.hiddenShare <= value; };
+    case StepEvent::foldedShareAbove:
+      return [=](const MatchReport& report) { return report.foldedShare > value; };
+    case StepEvent::foldedShareBelow:
+      return
+          [=](const MatchReport& report) { return report.comparedPixels > 0 && report.foldedShare <= value; };
+    default:
+      return {};
+  }
 }
 
-// A figure of the settled match against a limit; nothing while it is not known.
-template <typename Test>
-std::optional<bool> judged(const Editor& editor, const Test& test) {
+// Nothing while the settled match is not known.
+std::optional<bool> judged(const Editor& editor, const MatchTest& test) {
   const LevelResult& result = editor.updater.result();
   if (editor.session.changing() || !result.refined) return std::nullopt;
   if (result.problem) return test(MatchReport{});
   if (!result.match) return std::nullopt;
   return test(result.match->report);
+}
+
+// Nothing for a condition that is not of the level.
+std::optional<bool> holdsOfLevel(const StepCondition& condition, const Level& begin, const Level& level) {
+  switch (condition.when) {
+    case StepEvent::movedEye:
+      return !(level.camera.eye == begin.camera.eye);
+    case StepEvent::movedOriginal:
+      return !(level.original.placement == begin.original.placement);
+    case StepEvent::movedMirror:
+      return !(level.optic.shape() == begin.optic.shape());
+    case StepEvent::changedOriginal:
+      return !(level.original.shape == begin.original.shape);
+    case StepEvent::changedMirror:
+      return condition.what == shapeName(level.optic.shape());
+    case StepEvent::depthScaleChanged:
+      return level.sculpture.depthScale != begin.sculpture.depthScale;
+    case StepEvent::toleranceOff:
+      return level.sculpture.tolerancePixels == 0;
+    case StepEvent::toleranceOn:
+      return level.sculpture.tolerancePixels > 0;
+    case StepEvent::putRight: {
+      Mistakes mistakes = level.sculpture.mistakes;
+      return !mistakeOf(mistakes, condition.what);
+    }
+    case StepEvent::frozen:
+      return level.sculpture.frozen.has_value();
+    case StepEvent::eyeAbove:
+      return level.camera.eye.z > condition.value;
+    case StepEvent::eyeAway:
+      return glm::length(level.camera.eye - middleOf(level.optic.shape())) > condition.value;
+    case StepEvent::keptEye:
+      return level.camera.eye == begin.camera.eye;
+    case StepEvent::depthScaleAbove:
+      return level.sculpture.depthScale > condition.value;
+    case StepEvent::depthScaleBelow:
+      return level.sculpture.depthScale < condition.value;
+    case StepEvent::depthOffsetAbove:
+      return level.sculpture.depthOffset > condition.value;
+    case StepEvent::depthOffsetBelow:
+      return level.sculpture.depthOffset < condition.value;
+    default:
+      return std::nullopt;
+  }
+}
+
+// What is picked, shown and done in the window.
+bool holdsInView(const StepCondition& condition, const LessonFacts& begin, const Editor& editor) {
+  const bool turnedFreely = !editor.flight && !editor.lookingThrough;
+  switch (condition.when) {
+    case StepEvent::pickedPixel:
+      return editor.cell && !(editor.cell == begin.cell);
+    case StepEvent::pickedVertex:
+      return editor.point && !(editor.point == begin.point);
+    case StepEvent::pickedEnds:
+      return areEndsPicked(editor);
+    case StepEvent::viewed:
+      return previewIs(editor, condition.what);
+    case StepEvent::wiped:
+      return previewIs(editor, "wipe") && std::abs(editor.preview.wipe - begin.wipe) > wipedShare;
+    case StepEvent::lookedThrough:
+      return editor.lookingThrough && !editor.flight;
+    case StepEvent::rotatedView:
+      return turnedFreely && hasTurned(begin.pose, editor.pose);
+    case StepEvent::lookedDown:
+      return turnedFreely && lookingDown(editor.pose) > condition.value;
+    case StepEvent::morphed:
+      return editor.display.morph < 0.5;
+    case StepEvent::raysOf:
+      return showsRaysOf(editor, condition.what);
+    case StepEvent::animatedRays:
+      return editor.rays.show && editor.rays.animate;
+    case StepEvent::wireframe:
+      return editor.display.wireframe;
+    case StepEvent::caustic:
+      return editor.display.caustic;
+    case StepEvent::verticesBelow:
+      return !editor.session.changing() && hasFewerVertices(editor, condition.value);
+    case StepEvent::undone:
+      return editor.session.undoCount() != begin.undone;
+    case StepEvent::exported:
+      return editor.exported != begin.exported;
+    default:
+      return false;
+  }
 }
 
 // How a step was come to: by going on from the one before it, or in its own start.
@@ -115,92 +228,10 @@ void markDone(Editor& editor) {
 }  // namespace
 
 std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor) {
-  const Level& level = editor.session.level();
-  const bool rests = !editor.session.changing();
-  switch (condition.when) {
-    case StepEvent::movedEye:
-      return rests && !(level.camera.eye == begin.level.camera.eye);
-    case StepEvent::movedOriginal:
-      return rests && !(level.original.placement == begin.level.original.placement);
-    case StepEvent::movedMirror:
-      return rests && !(level.optic.shape() == begin.level.optic.shape());
-    case StepEvent::changedOriginal:
-      return rests && !(level.original.shape == begin.level.original.shape);
-    case StepEvent::changedMirror:
-      return rests && condition.what == shapeName(level.optic.shape());
-    case StepEvent::depthScaleChanged:
-      return rests && level.sculpture.depthScale != begin.level.sculpture.depthScale;
-    case StepEvent::toleranceOff:
-      return level.sculpture.tolerancePixels == 0;
-    case StepEvent::toleranceOn:
-      return level.sculpture.tolerancePixels > 0;
-    case StepEvent::pickedPixel:
-      return editor.cell && !(editor.cell == begin.cell);
-    case StepEvent::pickedVertex:
-      return editor.point && !(editor.point == begin.point);
-    case StepEvent::viewed:
-      return previewIs(editor, condition.what);
-    case StepEvent::lookedThrough:
-      return editor.lookingThrough && !editor.flight;
-    case StepEvent::rotatedView:
-      return !editor.flight && !editor.lookingThrough && hasTurned(begin.pose, editor.pose);
-    case StepEvent::morphed:
-      return editor.display.morph < 0.5;
-    case StepEvent::raysOf:
-      return showsRaysOf(editor, condition.what);
-    case StepEvent::animatedRays:
-      return editor.rays.show && editor.rays.animate;
-    case StepEvent::wireframe:
-      return editor.display.wireframe;
-    case StepEvent::matchAbove:
-      return judged(editor, [&](const MatchReport& r) { return r.silhouetteIou > condition.value; });
-    case StepEvent::matchBelow:
-      return judged(editor, [&](const MatchReport& r) { return r.silhouetteIou < condition.value; });
-    case StepEvent::hiddenShareAbove:
-      return judged(editor, [&](const MatchReport& r) { return r.hiddenShare > condition.value; });
-    case StepEvent::hiddenShareBelow:
-      // Where nothing is seen, nothing is hidden either: that is not what is asked for.
-      return judged(editor, [&](const MatchReport& r) {
-        return r.comparedPixels > 0 && r.hiddenShare <= condition.value;
-      });
-    case StepEvent::putRight:
-      return rests && isRight(level.sculpture.mistakes, condition.what);
-    case StepEvent::undone:
-      return editor.session.undoCount() != begin.undone;
-    case StepEvent::exported:
-      return editor.exported != begin.exported;
-    case StepEvent::frozen:
-      return level.sculpture.frozen.has_value();
-    case StepEvent::eyeAbove:
-      return rests && level.camera.eye.z > condition.value;
-    case StepEvent::eyeAway:
-      return rests && glm::length(level.camera.eye - middleOf(level.optic.shape())) > condition.value;
-    case StepEvent::keptEye:
-      return level.camera.eye == begin.level.camera.eye;
-    case StepEvent::depthScaleAbove:
-      return rests && level.sculpture.depthScale > condition.value;
-    case StepEvent::depthScaleBelow:
-      return rests && level.sculpture.depthScale < condition.value;
-    case StepEvent::depthOffsetAbove:
-      return rests && level.sculpture.depthOffset > condition.value;
-    case StepEvent::depthOffsetBelow:
-      return rests && level.sculpture.depthOffset < condition.value;
-    case StepEvent::foldedShareAbove:
-      return judged(editor, [&](const MatchReport& r) { return r.foldedShare > condition.value; });
-    case StepEvent::foldedShareBelow:
-      return judged(editor, [&](const MatchReport& r) {
-        return r.comparedPixels > 0 && r.foldedShare <= condition.value;
-      });
-    case StepEvent::caustic:
-      return editor.display.caustic;
-    case StepEvent::verticesBelow:
-      return rests && hasFewerVertices(editor, condition.value);
-    case StepEvent::pickedEnds:
-      return areEndsPicked(editor);
-    case StepEvent::wiped:
-      return previewIs(editor, "wipe") && std::abs(editor.preview.wipe - begin.wipe) > wipedShare;
-  }
-  return false;
+  if (const MatchTest test = matchTest(condition)) return judged(editor, test);
+  if (const auto held = holdsOfLevel(condition, begin.level, editor.session.level()))
+    return editor.session.changing() ? std::nullopt : held;
+  return holdsInView(condition, begin, editor);
 }
 
 bool advanceLesson(Editor& editor) {

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "edit/editor.h"
 #include "edit/lesson_state.h"
@@ -18,7 +19,7 @@
 
 namespace anamorph {
 
-/// Whether a condition holds now; nothing while that is not known, because the match is being measured.
+/// Whether a condition holds now; nothing while that is not known, because a drag goes on or the match is being measured.
 std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor);
 
 /// Takes up the lesson of another level when one was opened, and looks at the open step's conditions. Returns
@@ -35,8 +36,11 @@ void previousStep(Editor& editor);
 void answerStep(Editor& editor, std::size_t answer);
 
 /// Answers the open step's question and begins its move, which takes a second or two; nothing when it has none. The
-/// level's part of it is one step of the history.
+/// level's part of it is one step of the history. A move that another original than the step's own cannot make is said
+/// to be so instead.
 void playStep(Editor& editor);
+/// The points of the original that the open step's move picks; none where another original has taken its place.
+std::vector<Point> pointsOfMove(const Editor& editor);
 /// The move to its end at once.
 void finishPlay(Editor& editor);
 

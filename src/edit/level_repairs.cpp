@@ -1,7 +1,6 @@
 #include "edit/level_repairs.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "edit/level_edits.h"
 

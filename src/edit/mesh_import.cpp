@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/count.h"
 #include "base/language.h"
 #include "base/text.h"
 #include "edit/level_files.h"
@@ -31,8 +32,9 @@ Level withSceneMesh(Level level, FileShape file, const Mesh& mesh) {
 
 EditResult importMesh(const MeshImport& import, const Level& level, const Progress& progress) {
   const LoadedMesh read = loadMesh(import.file, {}, &progress.token);
-  std::string message = trFormat("{}: {} vertices, {} triangles", import.file.filename().string(),
-                                 read.mesh.positions.size(), read.mesh.triangles.size());
+  std::string message = import.file.filename().string() + ": " +
+                        countOf(read.mesh.positions.size(), "vertex", "vertices") + ", " +
+                        countOf(read.mesh.triangles.size(), "triangle", "triangles");
   if (import.keepSize) {
     return {withSceneMesh(level, {.path = import.name}, read.mesh), withRemarks(message, read.warnings)};
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/language.h"
 #include "exports/printable.h"
 #include "exports/triangle_crossing.h"
 #include "geometry/bvh.h"
@@ -182,9 +183,9 @@ void addPosts(const Underside& underside, BasePlate& plate) {
   }
   if (places.empty()) {
     throw Error(
-        "no base plate can bear this sculpture: the mirror stands below it, or it is too thin for a "
-        "post. Leave the base plate out, and hang the sculpture up at the height that the viewing "
-        "sheet says");
+        tr("no base plate can bear this sculpture: the mirror stands below it, or it is too thin for a "
+           "post. Leave the base plate out, and hang the sculpture up at the height that the viewing "
+           "sheet says"));
   }
   plate.posts = spread(places, 3 * plate.postRadius);
   const double inPlate = plate.lowerFace + 0.5 * plate.thickness;
@@ -228,8 +229,8 @@ BasePlate makeBasePlate(const Mesh& sculpture, const Mesh& mirror, double table,
   if (floats) addPosts(Underside(sculpture, mirror, table + 0.5 * settings.thickness), plate);
   if (meet(plate.mesh, mirror)) {
     throw Error(
-        "no base plate fits under this sculpture: it would meet the mirror. Leave it out, or make its "
-        "margin smaller");
+        tr("no base plate fits under this sculpture: it would meet the mirror. Leave it out, or make its "
+           "margin smaller"));
   }
   return plate;
 }

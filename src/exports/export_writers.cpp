@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/count.h"
+#include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
 #include "base/language.h"
@@ -49,6 +51,18 @@ std::vector<std::string> findPlateWarnings(const LevelResult& finished, const Ar
   return warnings;
 }
 
+// Sheet and report are of use without a base plate that cannot be; why it is not there is said.
+Arrangement arrangeIfPossible(const LevelResult& finished, const ExportRequest& request,
+                              std::vector<std::string>& warnings) {
+  try {
+    return makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
+  } catch (const Error& error) {
+    if (!request.basePlate) throw;
+    warnings.push_back(trFormat("made without the base plate: {}", error.message));
+    return makeArrangement(finished, request.millimetresPerUnit, {});
+  }
+}
+
 std::pair<int, int> sizeOf(const ExportRequest& request, const PixelGrid& grid) {
   return request.exactSize ? *request.exactSize : pictureSize(grid, request.size);
 }
@@ -66,8 +80,9 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& shown, const Expo
   Mesh& mesh = print.mesh;
   if (arrangement.plate) appendMesh(mesh, arrangement.plate->mesh);
   const Vector size = boundingBox(mesh.positions).size();
-  summary.description = trFormat("{} vertices, {} triangles, {:.1f} x {:.1f} x {:.1f} mm",
-                                 mesh.positions.size(), mesh.triangles.size(), size.x, size.y, size.z);
+  summary.description = countOf(mesh.positions.size(), "vertex", "vertices") + ", " +
+                        countOf(mesh.triangles.size(), "triangle", "triangles") +
+                        shownFormat(", {:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z);
   if (arrangement.plate) summary.description += tr(" with its base plate");
   if (!progress.update(0.5)) return std::nullopt;
   MeshFileOptions file;
@@ -82,7 +97,8 @@ std::optional<ExportSummary> writeSculpture(const LevelResult& shown, const Expo
 std::optional<ExportSummary> writeViewingSheet(const LevelResult& shown, const ExportRequest& request,
                                                int /*threads*/, const Progress& progress) {
   const LevelResult finished = asMade(shown);
-  const Arrangement arrangement = makeArrangement(finished, request.millimetresPerUnit, request.basePlate);
+  std::vector<std::string> warnings;
+  const Arrangement arrangement = arrangeIfPossible(finished, request, warnings);
   if (!progress.update(0.3)) return std::nullopt;
   const ViewingSheet sheet = makeViewingSheet(finished, arrangement, request.paper, request.sheetScale);
   if (!progress.update(0.8)) return std::nullopt;
@@ -91,6 +107,7 @@ std::optional<ExportSummary> writeViewingSheet(const LevelResult& shown, const E
   if (progress.cancelled()) return std::nullopt;
   ExportSummary summary{trFormat("viewing sheet, {} at 1:{:g}", paperName(request.paper), sheet.scale),
                         findPlateWarnings(finished, arrangement)};
+  summary.warnings.insert(summary.warnings.begin(), warnings.begin(), warnings.end());
   if (shown.level.sculpture.frozen)
     summary.warnings.emplace_back(
         tr("the sheet has mirror and eye where they were when the sculpture was frozen"));
@@ -113,15 +130,18 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
                                               int threads, const Progress& progress) {
   const auto [width, height] = sizeOf(request, finished.level.grid);
   std::shared_ptr<const Bvh> plate;
-  if (request.basePlate)
-    plate = plateInScene(makeArrangement(asMade(finished), request.millimetresPerUnit, request.basePlate));
+  std::vector<std::string> warnings;
+  if (request.basePlate) plate = plateInScene(arrangeIfPossible(asMade(finished), request, warnings));
   const Match match = matchLevel(finished, width, height, threads, partOf(progress, 0, 0.4), plate);
   if (progress.cancelled()) return std::nullopt;
-  const std::string grade = tr(matchGradeName(gradeOf(match.report)));
+  const std::string description = trFormat("match report, {}", tr(matchGradeName(gradeOf(match.report))));
+  const auto written = [&](std::vector<std::string> lost) {
+    warnings.insert(warnings.end(), lost.begin(), lost.end());
+    return ExportSummary{description, warnings};
+  };
   if (lowerEnding(request.path) == ".json") {
     const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-    return ExportSummary{trFormat("match report, {}", grade),
-                         writeFile(request.path, formatJson(matchJson(match.report, counts)))};
+    return written(writeFile(request.path, formatJson(matchJson(match.report, counts))));
   }
   const ImageRequest image = makeImageRequest(finished.level, width, height, threads);
   auto reflection =
@@ -132,7 +152,7 @@ std::optional<ExportSummary> writeMatchReport(const LevelResult& finished, const
   const std::string page = makeMatchPage(
       finished, match.report, {std::move(*reflection), std::move(*original), std::move(difference)});
   if (progress.cancelled()) return std::nullopt;
-  return ExportSummary{trFormat("match report, {}", grade), writeFile(request.path, page)};
+  return written(writeFile(request.path, page));
 }
 
 std::optional<ExportSummary> writePicture(const LevelResult& finished, const ExportRequest& request,

@@ -1,10 +1,10 @@
 #include "exports/print_check.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/count.h"
 #include "base/language.h"
 #include "exports/inside_out.h"
 #include "exports/print_repairs.h"
@@ -23,16 +23,13 @@ Mesh withoutFlatTriangles(Mesh mesh) {
   return mesh;
 }
 
-std::string countOf(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, tr(count == 1 ? one : many));
-}
-
 std::string pairsOf(const SelfCrossings& crossings) {
   return (crossings.more ? tr("more than ") : "") + countOf(crossings.pairs, "pair", "pairs");
 }
 
 std::string placeOf(const Point& p) {
-  return shownFormat("({:.1f}, {:.1f}, {:.1f})", p.x, p.y, p.z);
+  return trFormat("({:.1f}, {:.1f}, {:.1f})", p.x, p.y,
+                  p.z);  // a language with decimal commas parts them otherwise
 }
 
 std::string thicknessOf(const ThinPlace& place) {
@@ -57,11 +54,15 @@ std::string thinPlaces(const WallThickness& walls) {
 std::string thinSentence(const PrintCheck& check) {
   const WallThickness& walls = check.walls;
   std::string text = trFormat(
-      "walls are thinner than the {:g} mm that the printer makes, over {:.1f} mm2 of the surface: {}. ",
+      "walls are thinner than the {:g} mm that the printer makes, over {:.1f} mm² of the surface: {}. ",
       check.smallestWidth, walls.thinArea, thinPlaces(walls));
+  // Nobody prints it ten times as large because of its walls.
+  constexpr double mostFactor = 3;
   const double factor = check.smallestWidth / std::max(walls.firstPercentile, 1e-3);
+  if (factor > mostFactor)
+    return text + tr("A larger depth scale k makes it thicker, or an original that is thicker there");
   return text +
-         (factor > 1 && factor < 100
+         (factor > 1
               ? trFormat("With {:.2g} times as many millimetres per unit nearly all are thick enough", factor)
               : tr("Thicken the original there in a mesh editor"));
 }
@@ -171,8 +172,9 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
   std::vector<std::pair<std::string, std::string>> rows;
   const auto line = [&](const char* name, const std::string& value) { rows.emplace_back(tr(name), value); };
   line("size", shownFormat("{:.1f} x {:.1f} x {:.1f} mm", size.x, size.y, size.z));
-  line("triangles", trFormat("{} ({} without area), {} vertices, {}", check.triangles, check.flatTriangles,
-                             check.vertices, countOf(check.parts, "part", "parts")));
+  line("triangles",
+       trFormat("{} ({} without area), {}, {}", check.triangles, check.flatTriangles,
+                countOf(check.vertices, "vertex", "vertices"), countOf(check.parts, "part", "parts")));
   line("closed", topology.borderEdges == 0
                      ? tr("yes")
                      : trFormat("no: {}", countOf(topology.borderEdges, "border edge", "border edges")));
@@ -193,10 +195,10 @@ std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck
     line("walls",
          trFormat("99 % thicker than {:.2f} mm; thinnest found {} mm near {}", check.walls.firstPercentile,
                   thicknessOf(check.walls.least), placeOf(check.walls.least.at)));
-    line("smallest width", trFormat("{:g} mm; {:.1f} mm2 of the surface at thinner walls",
+    line("smallest width", trFormat("{:g} mm; {:.1f} mm² of the surface at thinner walls",
                                     check.smallestWidth, check.walls.thinArea));
   }
-  if (topology.isSound()) line("volume", shownFormat("{:.2f} cm3", check.volume / 1000));
+  if (topology.isSound()) line("volume", shownFormat("{:.2f} cm³", check.volume / 1000));
   return rows;
 }
 

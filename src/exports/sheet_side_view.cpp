@@ -1,4 +1,5 @@
 #include "exports/sheet_side_view.h"
+#include "exports/sheet_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +66,6 @@ double roundScale(double least) {
     if (step * decade >= least * (1 - 1e-9)) return step * decade;
   }
   return 10 * decade;
-}
-
-std::string scaleName(double scale) {
-  return scale < 1 ? shownFormat("{:.3g} : 1", 1 / scale) : shownFormat("1 : {:.3g}", scale);
 }
 
 void addBox(Rectangle& box, const std::vector<Point2>& points) {

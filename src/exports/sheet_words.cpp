@@ -1,8 +1,5 @@
 #include "exports/sheet_words.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/language.h"
@@ -40,6 +37,10 @@ std::string sculptureText(const Arrangement& arrangement, double bottom, double 
 }
 
 }  // namespace
+
+std::string scaleName(double scale) {
+  return scale >= 1 ? shownFormat("1 : {:.6g}", scale) : shownFormat("{:.6g} : 1", 1 / scale);
+}
 
 std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double scale) {
   const Box mirror = boundingBox(arrangement.mirrorSurface.positions);

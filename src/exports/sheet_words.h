@@ -16,6 +16,9 @@ struct SheetStep {
   Color color{0};
 };
 
+/// "1 : 2", "5 : 1"
+std::string scaleName(double scale);
+
 std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double scale);
 
 }  // namespace anamorph

@@ -144,10 +144,6 @@ Layout finishLayout(const Arrangement& arrangement, const SheetPlan& plan, const
   return layUpright(sizeOf(paper), steps, sideView);
 }
 
-std::string scaleName(double scale) {
-  return scale >= 1 ? shownFormat("1 : {:.6g}", scale) : shownFormat("{:.6g} : 1", 1 / scale);
-}
-
 [[noreturn]] void refuse(const SheetPlan& plan, const Layout& layout, Paper paper, double scale) {
   const Point2 size = sizeOnPage(plan, scale, false), room = layout.plan.size();
   throw Error(

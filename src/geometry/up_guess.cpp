@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "base/check.h"
@@ -30,6 +31,17 @@ constexpr std::array programs{
     Program{"OpenSCAD", ModelUp::z},  Program{"Tinkercad", ModelUp::z},
 };
 
+// "poser" is not in "composer".
+bool hasWords(std::string_view text, std::string_view words) {
+  const auto isPart = [&](std::size_t at) {
+    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+  };
+  for (std::size_t at = text.find(words); at != std::string_view::npos; at = text.find(words, at + 1)) {
+    if (!(at > 0 && isPart(at - 1)) && !isPart(at + words.size())) return true;
+  }
+  return false;
+}
+
 const Program* findProgram(std::string_view bytes) {
   constexpr std::size_t headLines = 20;
   LineReader lines(bytes.substr(0, 4096));
@@ -38,7 +50,7 @@ const Program* findProgram(std::string_view bytes) {
     if (line.empty() || line[0] != '#') continue;
     const std::string comment = lowerCase(std::string(line));
     const auto at = std::find_if(programs.begin(), programs.end(), [&](const Program& program) {
-      return comment.find(lowerCase(std::string(program.comment))) != std::string::npos;
+      return hasWords(comment, lowerCase(std::string(program.comment)));
     });
     if (at != programs.end()) return &*at;
   }

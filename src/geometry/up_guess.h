@@ -20,7 +20,9 @@ struct UpGuess {
   Reason reason = Reason::nothing;
   const char* program = "";  ///< for Reason::program
 
-  bool operator==(const UpGuess&) const = default;
+  bool operator==(const UpGuess& other) const {
+    return up == other.up && reason == other.reason && std::string_view(program) == other.program;
+  }
 };
 
 /// Always z or y. `mesh` is as the file `bytes` has it.

@@ -246,8 +246,8 @@ void FieldReader::finish() {
     // Of a heap of them none was meant to be something else, and looking would take its time.
     const std::string hint = context_.remarks.count() < mostHints ? didYouMean(key, absent) : "";
     if (context_.ifUnknown == UnknownKeys::refused) {
-      context_.remarks.addFault("expected a key of a lesson, got " + quoteJson(key) + hint, value.keyPlace,
-                                path);
+      context_.remarks.addFault("expected a key that is known here, got " + quoteJson(key) + hint,
+                                value.keyPlace, path);
       continue;
     }
     const bool kept = context_.ifUnknown == UnknownKeys::kept;

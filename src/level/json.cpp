@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "level/file_remarks.h"
 
 namespace anamorph {
 namespace {
@@ -29,6 +31,11 @@ void checkUtf8(std::string_view text, const std::string& file) {
     i += length;
   }
 }
+
+// A comma that nothing follows, at this byte.
+struct StrayComma {
+  std::size_t at;
+};
 
 // Receives the parser's events and grows the tree. `open_` leads from the root to the innermost open
 // container; a container's items do not move while one of them is open.
@@ -71,6 +78,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       throw Error("expected a number below 1.8e308, got " + shortened(token, quotedWidth), file_,
                   whereText(places_.next(), nextPath()));
     }
+    if (const auto comma = findStrayComma(position)) throw StrayComma{*comma};
     // The library's text is "[id] parse error at line 1, column 2: syntax error while parsing ...".
     const std::string what = completed(error.what(), position);
     const std::size_t start = what.find("syntax error");
@@ -136,6 +144,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const JsonValue& value = *open_.back();
     const bool isObject = value.kind == Kind::object;
     return joinJsonPath(openPath(), isObject ? value.keys.back() : std::to_string(value.items.size()));
+  }
+
+  // Before the bracket that the library stumbled over, which it has read already.
+  std::optional<std::size_t> findStrayComma(std::size_t position) const {
+    if (position < 2 || position > text_.size() || (text_[position - 1] != '}' && text_[position - 1] != ']'))
+      return std::nullopt;
+    const std::size_t before = text_.find_last_not_of(" \t\r\n", position - 2);
+    return before != std::string_view::npos && text_[before] == ',' ? std::optional(before) : std::nullopt;
   }
 
   // The library ends its quotation after the offending byte, which may be the first of a character.
@@ -217,16 +233,37 @@ void appendReadable(std::string& out, const JsonValue& value, std::size_t indent
 
 }  // namespace
 
-JsonValue parseJson(std::string_view text, const std::string& fileName) {
+JsonValue parseJson(std::string_view text, FileRemarks& remarks) {
+  constexpr std::size_t mostCommas = 20;  // the text is read anew after each
+  const std::string& fileName = remarks.file();
   checkUtf8(text, fileName);
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark) text.remove_prefix(byteOrderMark.size());
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw Error("expected JSON, got an empty file", fileName);
   }
-  TreeBuilder builder(text, fileName);
-  nlohmann::json::sax_parse(text, &builder);
-  return builder.takeRoot();
+  std::string without;  // the commas
+  for (std::size_t commas = 0;; ++commas) {
+    TreeBuilder builder(text, fileName);
+    try {
+      nlohmann::json::sax_parse(text, &builder);
+      return builder.takeRoot();
+    } catch (const StrayComma& comma) {
+      remarks.addFault("expected another value after this comma, got a closing bracket: remove the comma",
+                       placeOfByte(text, comma.at), "");
+      if (commas == mostCommas) remarks.throwFaults();
+      if (without.empty()) without = text;
+      without[comma.at] = ' ';
+      text = without;
+    }
+  }
+}
+
+JsonValue parseJson(std::string_view text, const std::string& fileName) {
+  FileRemarks remarks(fileName);
+  JsonValue value = parseJson(text, remarks);
+  remarks.throwFaults();
+  return value;
 }
 
 std::string formatJson(const JsonValue& value) {

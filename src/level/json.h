@@ -12,6 +12,8 @@
 
 namespace anamorph {
 
+class FileRemarks;
+
 /// Deeper documents are refused while they are read, so that no later recursion is deep.
 constexpr std::size_t maxJsonDepth = 64;
 /// A limit to the memory a document takes: about 150 bytes a value.
@@ -34,6 +36,8 @@ struct JsonValue {
 /// Reads one document. Throws Error with line and column, byte or JSON pointer of what is wrong; `fileName`
 /// is only for the message. A byte order mark is skipped.
 JsonValue parseJson(std::string_view text, const std::string& fileName);
+/// The same, but a comma before a closing bracket, as other languages allow it, is a fault that hides no other one.
+JsonValue parseJson(std::string_view text, FileRemarks& remarks);
 
 /// The value of an object's key; null when it has not got it, or is no object.
 const JsonValue* findMember(const JsonValue& object, std::string_view key);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -55,6 +54,8 @@ std::optional<Range> valuesFor(StepEvent event) {
     case StepEvent::depthOffsetAbove:
     case StepEvent::depthOffsetBelow:
       return limits::depthOffset.level;
+    case StepEvent::lookedDown:
+      return limits::lookingDown;
     case StepEvent::eyeAbove:
       return limits::coordinates;
     case StepEvent::eyeAway:
@@ -221,6 +222,7 @@ bool isState(StepEvent event) {
     case StepEvent::hiddenShareAbove:
     case StepEvent::hiddenShareBelow:
     case StepEvent::putRight:
+    case StepEvent::lookedDown:
     case StepEvent::eyeAbove:
     case StepEvent::eyeAway:
     case StepEvent::keptEye:

@@ -40,7 +40,8 @@ enum class StepEvent {
   pickedVertex,
   viewed,  ///< what: "reflection", "original", "difference", "wipe"
   lookedThrough,
-  rotatedView,  ///< the 3D view, by more than 10 degrees
+  rotatedView,  ///< the 3D view, by more than 20 degrees
+  lookedDown,   ///< the 3D view, so many degrees below the horizon: value
   morphed,      ///< the slider was moved to below a half
   raysOf,       ///< what: "pixels", "vertices"
   animatedRays,
@@ -80,6 +81,7 @@ inline constexpr std::array stepEvents{"movedEye",
                                        "viewed",
                                        "lookedThrough",
                                        "rotatedView",
+                                       "lookedDown",
                                        "morphed",
                                        "raysOf",
                                        "animatedRays",

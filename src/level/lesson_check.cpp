@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/spelling.h"
-#include "level/level_fields.h"
+#include "level/move_numbers.h"
 #include "level/step_controls.h"
 #include "optics/shape_table.h"
 
@@ -31,21 +30,10 @@ class LessonFaults {
   FileRemarks& remarks_;
 };
 
-template <typename Value>
-void take(Value& value, const std::optional<Value>& moved) {
-  if (moved) value = *moved;
-}
-
 // What the move makes of the numbers and switches of a level; its shapes keep their kinds.
 LevelScene played(LevelScene level, const StepMove& move) {
-  take(level.camera.eye, move.eye);
-  take(level.camera.fovDegrees, move.fovDegrees);
-  take(level.original.placement.position, move.original);
-  take(level.sculpture.depthScale, move.depthScale);
-  take(level.sculpture.depthOffset, move.depthOffset);
-  take(level.sculpture.tolerancePixels, move.tolerancePixels);
-  if (auto* box = std::get_if<BoxShape>(&level.original.shape)) take(box->segments, move.segments);
-  for (const std::string& mistake : move.putRight) mistakeOf(level.sculpture.mistakes, mistake) = false;
+  setSwitches(level, move);
+  setNumbers(level, move, 1);
   return level;
 }
 
@@ -81,6 +69,7 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
     case StepEvent::lookedThrough:
       return move.lookThrough;
     case StepEvent::rotatedView:
+    case StepEvent::lookedDown:
       return move.viewEye || move.viewTarget;
     case StepEvent::morphed:
       return move.morph && *move.morph < 0.5;

@@ -83,7 +83,8 @@ bool isLevel(const JsonValue& document) {
 
 LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
   LoadedLevel loaded;
-  loaded.document = parseJson(text, fileName);
+  FileRemarks commas(fileName);
+  loaded.document = parseJson(text, commas);
   loaded.isThesisScene = isThesisScene(loaded.document);
   if (!loaded.isThesisScene && !isLevel(loaded.document)) {
     throw Error(
@@ -97,6 +98,7 @@ LoadedLevel parseLevel(std::string_view text, const std::string& fileName) {
       loaded.isThesisScene ? readThesisScene(loaded.document, context) : readLevel(loaded.document, context);
   const JsonValue* lesson = loaded.isThesisScene ? nullptr : findMember(loaded.document, "lesson");
   if (lesson) loaded.lesson = readLesson(*lesson, context.remarks);
+  context.remarks.add(commas);
   context.remarks.throwFaults();
   loaded.warnings = context.remarks.warnings();
   return loaded;

@@ -37,6 +37,7 @@ constexpr Range lengths{1e-6, 1e6};
 constexpr Range lengthsOrZero{0, lengths.max};  ///< of what may vanish
 constexpr Range degrees{-1e6, 1e6};             ///< of rotations
 constexpr Range fractions{0, 1};
+constexpr Range lookingDown{0, 90};     // degrees
 constexpr Range formatVersion{1, 1e6};  ///< of a level's file
 
 // ---- RT camera and 3D view

@@ -1,6 +1,5 @@
 #include "panels/export_window.h"
 
-#include <algorithm>
 #include <string>
 #include <tuple>
 #include <utility>

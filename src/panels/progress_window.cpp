@@ -1,7 +1,5 @@
 #include "panels/progress_window.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,6 +1,5 @@
 #include "pipeline/evaluator.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "level/freeze.h"

@@ -1,7 +1,6 @@
 #include "viewport/surface_store.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/vec4.hpp>
 

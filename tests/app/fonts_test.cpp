@@ -2,6 +2,7 @@
 
 #include "app/fonts.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,22 @@ TEST(Letters, OfScriptsThatNeedShapingAreNamed) {
   ASSERT_EQ(said.size(), 2u);
   EXPECT_EQ(said[0], "This text needs Arabic letters, which this program cannot draw.");
   EXPECT_EQ(said[1], "This text needs Devanagari letters, which this program cannot draw.");
+}
+
+TEST(Letters, ThatAreTooManyAreSaidToBe) {
+  Letters letters;
+  for (char32_t letter = 0x4e00; letters.size() < 3000; ++letter) letters.insert(letter);
+  const auto saysSo = [&] {
+    const std::vector<std::string> said = explainMissing(letters);
+    return std::any_of(said.begin(), said.end(), [](const std::string& sentence) {
+      return sentence.find("more than 3000 different letters") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(saysSo());
+  letters.insert(0x0634);  // of a script that is not drawn anyway
+  EXPECT_FALSE(saysSo());
+  letters.insert(0x9f00);
+  EXPECT_TRUE(saysSo());
 }
 
 TEST(Letters, OfEveryScriptHaveADutchName) {

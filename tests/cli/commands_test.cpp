@@ -109,7 +109,7 @@ TEST(Program, OpenIsACommandAndWhatALevelAloneMeans) {
   EXPECT_EQ(noMesh.exitCode, 1);
   EXPECT_THAT(noMesh.err, HasSubstr("2-cylinder: expected a file name that ends in .obj, .stl or .ply"));
   const Result nothing = run("open nothing");
-  EXPECT_EQ(nothing.exitCode, 1);
+  EXPECT_EQ(nothing.exitCode, 2);
   EXPECT_THAT(nothing.err,
               HasSubstr("expected a file or one of the levels 0-perspective, 1-plane, 2-cylinder"));
 }
@@ -344,6 +344,21 @@ TEST(Check, NamesWhatIsFineAndWhatIsNot) {
   EXPECT_THAT(bad.err, HasSubstr("nothing.obj: cannot open: No such file or directory"));
   EXPECT_THAT(bad.err, HasSubstr("2 of 3 files have faults"));
   EXPECT_THAT(bad.out, HasSubstr("1-plane: level"));
+}
+
+TEST(Check, SaysWhatOfAMeshTroublesAPrinter) {
+  const TemporaryFolder folder;
+  // A tetrahedron that faces inwards, and a second one with a face twice.
+  writeText(folder / "turned.obj",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  writeText(folder / "double.obj",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 4\n");
+  const Result turned = run("check " + (folder / "turned.obj")),
+               doubled = run("check " + (folder / "double.obj"));
+  EXPECT_EQ(turned.exitCode, 0);
+  EXPECT_THAT(turned.err, HasSubstr("turned.obj: 1 closed part is inside out"));
+  EXPECT_THAT(doubled.err, HasSubstr("double.obj: 1 triangle is there twice"));
+  EXPECT_THAT(run("check " + cube).err, ::testing::IsEmpty());
 }
 
 // What a mesh file has lost is said by every command that reads it, and hinders none.

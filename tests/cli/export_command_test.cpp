@@ -136,5 +136,25 @@ TEST(ExportCommand, FailsBeforeWritingAnythingAndLeavesOlderFiles) {
   EXPECT_EQ(folder.fileCount(), 1u);
 }
 
+TEST(ExportCommand, ASheetIsMadeWithoutAPlateThatCannotBe) {
+  const TemporaryFolder folder;
+  const Result result =
+      run("export 3-sphere --base-plate 2 -o " + (folder / "a.stl") + " -o " + (folder / "a.svg"));
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, HasSubstr("a.stl: no base plate can bear this sculpture"));
+  EXPECT_THAT(result.err, HasSubstr("made without the base plate: no base plate can bear this sculpture"));
+  EXPECT_THAT(readAll(folder / "a.svg"), HasSubstr("</svg>"));
+  EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(ExportCommand, SaysAllOfTheCheckInOneLanguage) {
+  const Result result = run("export 2-cylinder --check --language nl");
+  EXPECT_EQ(result.exitCode, 0);
+  for (const char* line :
+       {"te printen          ja\n", "gesloten            ja\n", " mm² van het oppervlak", "; "})
+    EXPECT_THAT(result.out, HasSubstr(line));
+  EXPECT_THAT(result.out, ::testing::Not(HasSubstr("yes")));
+}
+
 }  // namespace
 }  // namespace anamorph

@@ -9,6 +9,7 @@
 #include "edit/editor.h"
 #include "edit/lesson_start.h"
 #include "edit/level_edits.h"
+#include "edit/orbit.h"
 #include "lesson_levels.h"
 #include "level/level_json.h"
 #include "shapes.h"
@@ -277,6 +278,57 @@ TEST_F(LessonRunTest, FiguresThatAStepCanAskFor) {
     EXPECT_FALSE(editor.lesson.done) << editor.lesson.open().id;
     moves[i]();
     EXPECT_TRUE(editor.lesson.done) << editor.lesson.open().id;
+  }
+}
+
+TEST_F(LessonRunTest, AViewIsTurnedWhenThatCanBeSeen) {
+  open(step("turn", R"([{"when": "rotatedView"}])") + "," +
+       step("down", R"([{"when": "lookedDown", "value": 40}])"));
+  const auto turn = [&](double sideways, double down) {
+    editor.pose = orbit(editor.pose, sideways / orbitDegreesPerPixel, down / orbitDegreesPerPixel);
+    advance(editor, 0.01);
+    return editor.lesson.done;
+  };
+  EXPECT_FALSE(turn(15, 0)) << "a twitch of the mouse";
+  EXPECT_TRUE(turn(15, 0));
+  nextStep(editor);
+  EXPECT_FALSE(turn(120, 0)) << "sideways one never looks down";
+  EXPECT_TRUE(turn(0, 40));
+}
+
+TEST_F(LessonRunTest, WhatAConditionSaysOfTheLevelIsNotKnownInADrag) {
+  open(step("on", R"([{"when": "toleranceOn"}])"));
+  Level level = editor.session.level();
+  level.camera.eye.x += 1;
+  editor.session.change(level);
+  const auto held = holds({StepEvent::toleranceOn, 0, {}}, editor.lesson.begin, editor);
+  EXPECT_EQ(held, std::nullopt);
+  editor.session.finishChange();
+  evaluate(editor);
+  EXPECT_FALSE(editor.lesson.done) << "it held before, and nobody has touched it";
+}
+
+TEST_F(LessonRunTest, DoItSaysSoWhereTheOriginalIsAnotherOne) {
+  const std::string corner = R"([{"when": "pickedVertex"}])",
+                    coarse = R"([{"when": "verticesBelow", "value": 9}])";
+  open(step("vertex", corner, R"({"vertex": 5})") + "," + step("ends", corner, R"({"ends": [0, 5]})") + "," +
+       step("coarse", coarse, R"({"segments": 1})"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    SCOPED_TRACE(i);
+    openStep(editor, i);
+    evaluate(editor);
+    editor.status.clear();
+    change([](Level& level) { level.original.shape = PawnShape{}; });
+    EXPECT_TRUE(pointsOfMove(editor).empty());
+    playStep(editor);
+    EXPECT_FALSE(editor.lesson.play || editor.point) << "another vertex has that number";
+    EXPECT_FALSE(editor.status.text().empty());
+    openStep(editor, i);
+    evaluate(editor);
+    EXPECT_EQ(pointsOfMove(editor).size(), i == 0 ? 1u : i == 1 ? 2u : 0u);
+    playStep(editor);
+    EXPECT_TRUE(editor.lesson.play);
+    finishPlay(editor);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "exports/export_level.h"
+#include "exports/in_dutch.h"
 #include "exports/printable.h"
 #include "exports/triangle_crossing.h"
 #include "finished.h"
@@ -312,6 +313,25 @@ TEST(PrintCheck, ThinWallsAreAFault) {
     EXPECT_THAT(json, HasSubstr("\"printable\": false"));
     EXPECT_THAT(json, HasSubstr("\"atMm\": ["));
   }
+}
+
+TEST(PrintCheck, SaysWhatHelpsAgainstThinWallsAsFarAsThatIsWise) {
+  PrintCheck thin;
+  thin.smallestWidth = 0.8;
+  thin.walls.samples = 100;
+  thin.walls.thinArea = 1000;
+  thin.walls.places = {{.at = {1, -2.5, 3}, .thickness = 0.1}};
+  const auto advice = [&](double firstPercentile) {
+    thin.walls.firstPercentile = firstPercentile;
+    return findPrintProblems(thin, 0).back();
+  };
+  EXPECT_THAT(advice(0.4), HasSubstr("With 2 times as many millimetres per unit"));
+  EXPECT_THAT(advice(0.08), HasSubstr("A larger depth scale k makes it thicker"));
+  EXPECT_THAT(advice(0.08), ::testing::Not(HasSubstr("times as many")));
+  EXPECT_THAT(advice(0.9), HasSubstr("Thicken the original there"));
+  EXPECT_THAT(advice(0.9), HasSubstr("(1.0, -2.5, 3.0) 0.10 mm"));
+  const anamorph::testing::InDutch dutch;
+  EXPECT_THAT(advice(0.9), HasSubstr("(1,0; -2,5; 3,0) 0,10 mm")) << "commas are in the numbers";
 }
 
 TEST(PrintCheck, ThinSpotsAreAHintAndNoFault) {

@@ -63,6 +63,8 @@ TEST(UpGuess, IsByProgramUndersideAndExtent) {
   EXPECT_EQ(guessOf(houseObj("# FreeCAD v0.19 build24291", true)),
             (UpGuess{ModelUp::z, Reason::program, "FreeCAD"}));
   EXPECT_EQ(guessOf(houseObj("g Blender", true)).reason, Reason::underside) << "no comment";
+  EXPECT_EQ(guessOf(houseObj("# by Mesh Composer", false)).reason, Reason::underside) << "not Poser";
+  EXPECT_EQ(guessOf(houseObj("# Poser's own", false)).reason, Reason::program);
   EXPECT_EQ(guessOf(houseObj("# some program", true)), (UpGuess{ModelUp::y, Reason::underside}));
   EXPECT_EQ(guessOf(houseObj("# some program", false)), (UpGuess{ModelUp::z, Reason::underside}));
   // Alike on both sides: higher, lower, as high.

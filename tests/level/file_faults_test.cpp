@@ -62,11 +62,13 @@ TEST(FileFaults, AreToldAllAtOnceInTheOrderOfTheFile) {
       "; did you mean \"movedEye\"?",
       "line 9, column 5: /lesson/steps/1: expected the key \"title\", got an object without it",
       "line 9, column 12: /lesson/steps/1/id: expected an id of its own, got \"a\" again",
-      "line 9, column 17: /lesson/steps/1/titel: expected a key of a lesson, got \"titel\"; did you mean "
+      "line 9, column 17: /lesson/steps/1/titel: expected a key that is known here, got \"titel\"; did you "
+      "mean "
       "\"title\"?",
       "line 9, column 49: /lesson/steps/1/do: expected a string, got 5",
       "/lesson/steps/1/done/0: expected the key \"value\", got an object without it",
-      "/lesson/steps/1/done/0/vlaue: expected a key of a lesson, got \"vlaue\"; did you mean \"value\"?",
+      "/lesson/steps/1/done/0/vlaue: expected a key that is known here, got \"vlaue\"; did you mean "
+      "\"value\"?",
       "got \"gone\""};
   for (std::size_t i = 0; i < ends.size() && expected.size() + i < faults.size(); ++i) {
     EXPECT_TRUE(faults[expected.size() + i].ends_with(ends[i])) << faults[expected.size() + i];
@@ -83,6 +85,18 @@ TEST(FileFaults, ReadAsTheFirstOfThem) {
     EXPECT_EQ(error.where, "line 1, column 53: /optic");
     EXPECT_EQ(error.faults.size(), 3u);
   }
+}
+
+TEST(FileFaults, ACommaTooManyHidesNoOther) {
+  const auto faults = faultsOf(
+      "{\"format\": \"anamorph-level\", \"version\": 1, \"optic\": 1,\n \"camera\": [2, ], \"original\": "
+      "3,\n}");
+  ASSERT_EQ(faults.size(), 5u);
+  EXPECT_TRUE(faults[0].find("/optic") != std::string::npos) << faults[0];
+  EXPECT_TRUE(faults[2].starts_with("l.json: line 2, column 14: expected another value after this comma"))
+      << faults[2];
+  EXPECT_TRUE(faults[4].starts_with("l.json: line 2, column 31: expected another value after this comma"))
+      << faults[4];
 }
 
 TEST(FileFaults, AnotherVersionIsAllThatIsSaid) {
