@@ -42,6 +42,32 @@ std::optional<std::string> findDistanceProblem(double distance, double radius) {
       radius, distance);
 }
 
+std::optional<std::string> findFarEyeProblem(double distance, double size) {
+  if (!(distance > size * farthestEye)) return std::nullopt;
+  return trFormat(
+      "the mirror's size {:.3g} is too small for an eye that is {:.3g} away: nothing could be seen in it. "
+      "Make the mirror larger, or move the eye nearer.",
+      size, distance);
+}
+
+std::optional<std::string> findLengthProblem(const char* name, double length) {
+  if (length > 0) return std::nullopt;
+  return trFormat("expected a {} > 0, got {}", tr(name), length);
+}
+
+std::string eyeOnSurface() {
+  return tr(
+      "the eye is on the surface of the mirror, so it sees nothing in it. Move the eye away from the "
+      "mirror.");
+}
+
+Vector mapDirection(const ShapeMap& map, const Point& place, const Vector& direction) {
+  constexpr double rounding = 1e-9;
+  const Direction old = glm::normalize(direction);
+  const Direction now = glm::normalize(map.point(place + old) - map.point(place));
+  return !isFinite(now) || glm::length(now - old) < rounding ? direction : now;
+}
+
 Direction around(const Direction& axis, double fraction) {
   const Direction x = perpendicular(axis), y = glm::cross(axis, x);
   const double angle = 2 * pi * fraction;

@@ -38,6 +38,16 @@ Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB);
 std::optional<std::string> findRadiusProblem(double radius);
 std::optional<std::string> findDistanceProblem(double distance, double radius);
 
+/// The same with a thing that is not round, and of a length that has a name.
+std::optional<std::string> findFarEyeProblem(double distance, double size);
+std::optional<std::string> findLengthProblem(const char* name, double length);
+
+/// Of an eye that touches a mirror both of whose sides reflect.
+std::string eyeOnSurface();
+
+/// Where a map turns a direction at a place; to the bit as it was when it does not turn it.
+Vector mapDirection(const ShapeMap& map, const Point& place, const Vector& direction);
+
 /// Whether a thing with this axis stands upright, and how the sheet says how it stands.
 bool isUpright(const Vector& axis);
 std::string stanceAlong(const Vector& axis);

@@ -7,15 +7,20 @@
 #include "base/check.h"
 #include "optics/cone.h"
 #include "optics/cylinder.h"
+#include "optics/extrusion.h"
+#include "optics/patch.h"
 #include "optics/plane.h"
+#include "optics/revolution.h"
 #include "optics/sphere.h"
 
 namespace anamorph {
 namespace {
 
 std::vector<ShapeType>& table() {
-  static std::vector<ShapeType> types{shapeType<PlaneMirror>(), shapeType<CylinderMirror>(),
-                                      shapeType<SphereMirror>(), shapeType<ConeMirror>()};
+  static std::vector<ShapeType> types{shapeType<PlaneMirror>(),      shapeType<CylinderMirror>(),
+                                      shapeType<SphereMirror>(),     shapeType<ConeMirror>(),
+                                      shapeType<RevolutionMirror>(), shapeType<ExtrusionMirror>(),
+                                      shapeType<PatchMirror>()};
   return types;
 }
 
