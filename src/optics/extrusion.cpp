@@ -126,13 +126,16 @@ std::optional<std::string> ExtrusionMirror::findCurveProblem() const {
   const double size = rectangleOf(curve).size();
   if (!(size > 0) || !std::isfinite(size))
     return tr("expected points that span a curve, got one of length 0");
+  const auto roughly = [&](double coordinate) {
+    return 1e-3 * size * std::round(coordinate / size * 1e3) + 0;
+  };
   if (const auto sharp = findSharpPoint(curve, size)) {
-    return trFormat("expected a smooth curve, got one that has a sharp point near {:.3g}, {:.3g}", sharp->x,
-                    sharp->y);
+    return trFormat("expected a smooth curve, got one that has a sharp point near {:.3g}, {:.3g}",
+                    roughly(sharp->x), roughly(sharp->y));
   }
   if (const auto contact = findSelfContact(curve, closed, shapeTolerance * size)) {
     return trFormat("expected a curve that does not meet itself, got one that does near {:.3g}, {:.3g}",
-                    contact->x, contact->y);
+                    roughly(contact->x), roughly(contact->y));
   }
   return std::nullopt;
 }
@@ -170,7 +173,7 @@ Box ExtrusionMirror::box() const {
   const Vector up = height * a[2];
   Box box;
   for (const PlaneCubic& piece : splineCurve(points, closed)) {
-    Point low, high;
+    Point low(0), high(0);
     for (int k = 0; k < 3; ++k) {
       Cubic along;
       for (std::size_t j = 0; j < 4; ++j)

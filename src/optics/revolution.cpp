@@ -158,7 +158,7 @@ Box RevolutionMirror::box() const {
   const Vector reach = glm::sqrt(glm::max(1.0 - axis() * axis(), Vector(0)));
   Box box;
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    Point low, high;
+    Point low(0), high(0);
     for (int k = 0; k < 3; ++k) {  // the circles' outermost points are cubics, too
       Cubic least, greatest;
       for (std::size_t j = 0; j < 4; ++j) {
