@@ -23,6 +23,13 @@ constexpr double binomial(int n, int k) {
   return value;
 }
 
+template <int n>
+constexpr auto binomials = [] {
+  std::array<double, n + 1> row{};
+  for (int k = 0; k <= n; ++k) row[static_cast<std::size_t>(k)] = binomial(n, k);
+  return row;
+}();
+
 double mix(double a, double b, double s) {
   return a + s * (b - a);
 }
@@ -43,20 +50,19 @@ double refine(const Bernstein<degree>& p, double low, double high, bool rising, 
     const auto [value, slope] = valueAndSlope(p, s);
     if (value == 0) return s;
     ((value > 0) == rising ? high : low) = s;
-    const double step = value / slope;
-    const bool inside = s - step > low && s - step < high;
-    const double next = inside ? s - step : 0.5 * (low + high);
-    if (next == s || (inside && std::abs(step) < smallStep)) return next;
-    s = next;
+    const double step = value / slope, next = s - step;
+    const bool leadsThere = (slope > 0) == rising && next >= low && next <= high;
+    if (leadsThere && std::abs(step) < smallStep) return next;
+    s = leadsThere ? next : 0.5 * (low + high);
   }
   return s;
 }
 
 template <int degree>
 void collectCrossings(const Bernstein<degree>& whole, const Bernstein<degree>& part, double from, double to,
-                      Crossings<degree>& found) {
+                      double after, Crossings<degree>& found) {
   const int changes = signChanges(part);
-  if (changes == 0) return;
+  if (changes == 0 || to < after) return;
   if (changes == 1 || to - from < touchingGap) {
     const double first = part.c[0], last = part.c[degree];
     if ((first < 0) == (last < 0) || found.count == degree) return;
@@ -67,8 +73,8 @@ void collectCrossings(const Bernstein<degree>& whole, const Bernstein<degree>& p
   }
   const auto [left, right] = split(part, splitAt);
   const double middle = mix(from, to, splitAt);
-  collectCrossings(whole, left, from, middle, found);
-  collectCrossings(whole, right, middle, to, found);
+  collectCrossings(whole, left, from, middle, after, found);
+  collectCrossings(whole, right, middle, to, after, found);
 }
 
 // Where two crossings have no more than rounding between them, 0 was only touched.
@@ -103,20 +109,27 @@ Bernstein<degree> fromPowers(const std::array<double, degree + 1>& a) {
   return p;
 }
 
+// Horner's scheme in both s and 1 - s.
 template <int degree>
 ValueAndSlope valueAndSlope(const Bernstein<degree>& p, double s) {
-  std::array<double, degree + 1> c = p.c;
-  for (std::size_t n = degree; n > 1; --n) {
-    for (std::size_t i = 0; i < n; ++i) c[i] = mix(c[i], c[i + 1], s);
+  const double u = 1 - s;
+  double value = p.c[0], slope = p.c[1] - p.c[0], power = 1;
+#pragma GCC unroll 6
+  for (std::size_t i = 1; i < degree; ++i) {
+    power *= s;
+    value = value * u + binomials<degree>[i] * power * p.c[i];
+    slope = slope * u + binomials<degree - 1>[i] * power * (p.c[i + 1] - p.c[i]);
   }
-  return {mix(c[0], c[1], s), degree * (c[1] - c[0])};
+  return {value * u + power * s * p.c[degree], degree * slope};
 }
 
 template <int degree>
 std::pair<Bernstein<degree>, Bernstein<degree>> split(const Bernstein<degree>& p, double s) {
   Bernstein<degree> left, right = p;
   left.c[0] = p.c[0];
+#pragma GCC unroll 6
   for (std::size_t n = degree; n > 0; --n) {
+#pragma GCC unroll 6
     for (std::size_t i = 0; i < n; ++i) right.c[i] = mix(right.c[i], right.c[i + 1], s);
     left.c[degree + 1 - n] = right.c[0];
   }
@@ -124,9 +137,10 @@ std::pair<Bernstein<degree>, Bernstein<degree>> split(const Bernstein<degree>& p
 }
 
 template <int degree>
-Crossings<degree> findCrossings(const Bernstein<degree>& p) {
+Crossings<degree> findCrossings(const Bernstein<degree>& p, double after) {
+  constexpr double aLittle = 1e-6;  // more than two crossings are apart that are a touch
   Crossings<degree> found;
-  collectCrossings(p, p, 0, 1, found);
+  collectCrossings(p, p, 0, 1, after - aLittle, found);
   if (found.count > 1) removeTouches(p, found);
   return found;
 }
@@ -157,12 +171,13 @@ std::pair<double, double> rangeOf(const Cubic& p) {
 }
 
 Bernstein<6> alongDiagonal(const std::array<Cubic, 4>& g) {
-  constexpr std::array third{1.0, 3.0, 3.0, 1.0};
-  constexpr std::array sixth{1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0};
+  constexpr auto one = binomials<3>;
+  constexpr auto both = binomials<6>;
   Bernstein<6> p;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) p.c[i + j] += third[i] * third[j] / sixth[i + j] * g[i].c[j];
+    for (std::size_t j = 0; j < 4; ++j) p.c[i + j] += one[i] * one[j] * g[i].c[j];
   }
+  for (std::size_t k = 0; k <= 6; ++k) p.c[k] *= 1 / both[k];
   return p;
 }
 
@@ -170,7 +185,7 @@ Bernstein<6> alongDiagonal(const std::array<Cubic, 4>& g) {
   template Bernstein<n> fromPowers<n>(const std::array<double, n + 1>&);                \
   template ValueAndSlope valueAndSlope<n>(const Bernstein<n>&, double);                 \
   template std::pair<Bernstein<n>, Bernstein<n>> split<n>(const Bernstein<n>&, double); \
-  template Crossings<n> findCrossings<n>(const Bernstein<n>&)
+  template Crossings<n> findCrossings<n>(const Bernstein<n>&, double)
 ANAMORPH_BERNSTEIN(1);
 ANAMORPH_BERNSTEIN(2);
 ANAMORPH_BERNSTEIN(3);

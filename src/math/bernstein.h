@@ -52,9 +52,10 @@ ValueAndSlope valueAndSlope(const Bernstein<degree>& p, double s);
 template <int degree>
 std::pair<Bernstein<degree>, Bernstein<degree>> split(const Bernstein<degree>& p, double s);
 
-/// All crossings. Touching 0 is none: two that have nothing but rounding between them.
+/// All crossings from a little before `after` on; earlier ones may be left out, the others do not depend on it.
+/// Touching 0 is none: two that have nothing but rounding between them.
 template <int degree>
-Crossings<degree> findCrossings(const Bernstein<degree>& p);
+Crossings<degree> findCrossings(const Bernstein<degree>& p, double after = 0);
 
 /// The part from one place to another, which may be the same, and may lie a little outside.
 Cubic partOf(const Cubic& p, double from, double to);

@@ -50,8 +50,9 @@ Cubic besideLine(const PlaneCubic& piece, const CurvePoint& n, const CurvePoint&
 }
 
 bool isPlainlyOnOneSide(const Cubic& beside, double slack) {
-  const auto [low, high] = std::minmax_element(beside.c.begin(), beside.c.end());
-  return *low > slack || *high < -slack;
+  const auto& [a, b, c, d] = beside.c;
+  return std::min(std::min(a, b), std::min(c, d)) > slack ||
+         std::max(std::max(a, b), std::max(c, d)) < -slack;
 }
 
 }  // namespace

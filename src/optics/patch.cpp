@@ -182,9 +182,9 @@ std::optional<SurfaceHit> PatchMirror::intersect(const Prepared& prepared, const
       Bernstein<6> above = heightsAlong(cell, {x.inCell(a.x), y.inCell(a.y)}, {x.inCell(b.x), y.inCell(b.y)});
       for (int k = 0; k <= 6; ++k) {
         double& c = above.c[static_cast<std::size_t>(k)];
-        c = a.z + (b.z - a.z) * k / 6 - c;
+        c = a.z + (b.z - a.z) * (k * (1.0 / 6)) - c;
       }
-      for (const Crossing& crossing : findCrossings(above)) {
+      for (const Crossing& crossing : findCrossings(above, (nearest - start) / length)) {
         const double way = start + crossing.at * length, t = local.start + way;
         if (!filter.isNew(way, crossing.rising) || !(t > tMin)) continue;
         const Point p = local.after(way);

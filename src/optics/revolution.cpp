@@ -19,7 +19,9 @@ Bernstein<6> distanceSquared(const Point& from, const Vector& way) {
   const double a = from.x * from.x + from.y * from.y, b = 2 * (from.x * way.x + from.y * way.y),
                c = way.x * way.x + way.y * way.y;
   Bernstein<6> p;
-  for (int k = 0; k <= 6; ++k) p.c[static_cast<std::size_t>(k)] = a + b * k / 6 + c * k * (k - 1) / 30;
+  for (int k = 0; k <= 6; ++k) {
+    p.c[static_cast<std::size_t>(k)] = a + b * (k * (1.0 / 6)) + c * (k * (k - 1) * (1.0 / 30));
+  }
   return p;
 }
 
@@ -103,7 +105,8 @@ std::optional<SurfaceHit> RevolutionMirror::intersect(const Prepared& prepared, 
       const double start = from - overlap, length = to + overlap - start;
       const auto gap = gapAlong(prepared.spans[static_cast<std::size_t>(span)], local.after(start),
                                 local.after(to + overlap), span * spanHeight, spanHeight);
-      for (const Crossing& crossing : gap ? findCrossings(*gap) : Crossings<6>{}) {
+      for (const Crossing& crossing :
+           gap ? findCrossings(*gap, (nearest - start) / length) : Crossings<6>{}) {
         const double way = start + crossing.at * length, t = local.start + way;
         if (!filter.isNew(way, crossing.rising) || !(t > tMin)) continue;
         const Point at = local.after(way);
