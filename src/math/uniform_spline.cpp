@@ -10,20 +10,30 @@ Cubic splineSpan(double c0, double c1, double c2, double c3) {
   return {{(c0 + 4 * c1 + c2) / 6, (2 * c1 + c2) / 3, (c1 + 2 * c2) / 3, (c1 + 4 * c2 + c3) / 6}};
 }
 
-std::vector<Cubic> splineSpans(std::span<const double> c, bool closed) {
-  std::vector<Cubic> spans;
+namespace {
+
+std::size_t countSpans(std::size_t controls, bool closed) {
+  if (controls < (closed ? fewestClosedControls : fewestOpenControls)) return 0;
+  return closed ? controls : controls - 3;
+}
+
+Cubic spanOf(std::span<const double> c, std::size_t i) {
   const std::size_t m = c.size();
-  if (m < (closed ? fewestClosedControls : fewestOpenControls)) return spans;
-  for (std::size_t i = 0; i < (closed ? m : m - 3); ++i) {
-    spans.push_back(splineSpan(c[i], c[(i + 1) % m], c[(i + 2) % m], c[(i + 3) % m]));
-  }
+  return splineSpan(c[i], c[(i + 1) % m], c[(i + 2) % m], c[(i + 3) % m]);
+}
+
+}  // namespace
+
+std::vector<Cubic> splineSpans(std::span<const double> controls, bool closed) {
+  std::vector<Cubic> spans;
+  for (std::size_t i = 0; i < countSpans(controls.size(), closed); ++i) spans.push_back(spanOf(controls, i));
   return spans;
 }
 
-ValueAndSlope splineAt(std::span<const Cubic> spans, double u) {
-  const double last = static_cast<double>(spans.size()) - 1;
+ValueAndSlope splineAt(std::span<const double> controls, double u, bool closed) {
+  const double last = static_cast<double>(countSpans(controls.size(), closed)) - 1;
   const double span = std::clamp(std::floor(u), 0.0, last);
-  return valueAndSlope(spans[static_cast<std::size_t>(span)], u - span);
+  return valueAndSlope(spanOf(controls, static_cast<std::size_t>(span)), u - span);
 }
 
 std::pair<double, double> rangeOf(std::span<const Cubic> spans) {

@@ -29,19 +29,6 @@ Rectangle rectangleOf(const PlaneCurve& curve) {
   return r;
 }
 
-struct CurvePlace {
-  CurvePoint point, slope;
-};
-
-// At u in 0..curve.size().
-CurvePlace placeOn(const PlaneCurve& curve, double u) {
-  const double last = static_cast<double>(curve.size()) - 1, piece = std::clamp(std::floor(u), 0.0, last);
-  const PlaneCubic& cubic = curve[static_cast<std::size_t>(piece)];
-  const auto [x, dx] = valueAndSlope(cubic.x, u - piece);
-  const auto [y, dy] = valueAndSlope(cubic.y, u - piece);
-  return {{x, y}, {dx, dy}};
-}
-
 // How far a piece is beside a line through `at` with the unit normal `n`, along the piece.
 Cubic besideLine(const PlaneCubic& piece, const CurvePoint& n, const CurvePoint& at) {
   Cubic beside;
@@ -53,6 +40,12 @@ bool isPlainlyOnOneSide(const Cubic& beside, double slack) {
   const auto& [a, b, c, d] = beside.c;
   return std::min(std::min(a, b), std::min(c, d)) > slack ||
          std::max(std::max(a, b), std::max(c, d)) < -slack;
+}
+
+ExtrusionMirror::Place placeOn(const PlaneCubic& piece, double u) {
+  const auto [x, dx] = valueAndSlope(piece.x, u);
+  const auto [y, dy] = valueAndSlope(piece.y, u);
+  return {{x, y}, {dx, dy}};
 }
 
 }  // namespace
@@ -100,16 +93,15 @@ std::optional<SurfaceHit> ExtrusionMirror::intersect(const Prepared& prepared, c
     for (const Crossing& crossing : findCrossings(partOf(beside, -pieceOverlap, 1 + pieceOverlap))) {
       const double u = crossing.at * (1 + 2 * pieceOverlap) - pieceOverlap;
       if (!filter.isNew(i + u, crossing.rising) || i < 0) continue;
-      const CurvePoint on(valueAndSlope(piece.x, u).value, valueAndSlope(piece.y, u).value);
+      const CurvePoint on = placeOn(piece, u).point;
       const double way = glm::dot(on - at, line) / squared, t = local.start + way;
       const double z = local.at.z + way * local.direction.z;
       if (t > tMin && t < first.t && z >= 0 && z <= height) first = {t, u, &piece};
     }
   }
   if (!first.piece) return std::nullopt;
-  const double dx = valueAndSlope(first.piece->x, first.u).slope,
-               dy = valueAndSlope(first.piece->y, first.u).slope;
-  return hitAt(ray, first.t, prepared.axes, {dy, -dx, 0});
+  const CurvePoint slope = placeOn(*first.piece, first.u).slope;
+  return hitAt(ray, first.t, prepared.axes, {slope.y, -slope.x, 0});
 }
 
 std::optional<std::string> ExtrusionMirror::findProblem() const {
@@ -161,8 +153,7 @@ Point ExtrusionMirror::eyeOutside(const Point& eye, const Point& original) const
   if (closed) {
     return foot + 2 * away * wayOut(flat(eye - foot), flat(foot - original), prepared.axes[0]);
   }
-  const CurvePoint chord =
-      placeOn(prepared.curve, double(spanCount())).point - placeOn(prepared.curve, 0).point;
+  const CurvePoint chord = prepared.curve.back().control(3) - prepared.curve.front().control(0);
   const Direction normal = glm::length(chord) > shapeTolerance * prepared.size
                                ? fromFrame(prepared.axes, {glm::normalize(CurvePoint(chord.y, -chord.x)), 0})
                                : prepared.axes[0];
@@ -248,13 +239,21 @@ int ExtrusionMirror::spanCount() const {
   return std::max(1, static_cast<int>(points.size()) - (closed ? 0 : 3));
 }
 
+ExtrusionMirror::Place ExtrusionMirror::placeAt(double u) const {
+  const double span = std::clamp(std::floor(u * spanCount()), 0.0, spanCount() - 1.0);
+  std::array<CurvePoint, 4> controls;
+  for (std::size_t i = 0; i < 4; ++i)
+    controls[i] = points[(static_cast<std::size_t>(span) + i) % points.size()];
+  return placeOn(splineCurve(controls, false).front(), u * spanCount() - span);
+}
+
 Point ExtrusionMirror::pointAt(double u, double v) const {
-  const CurvePoint p = placeOn(splineCurve(points, closed), u * spanCount()).point;
+  const CurvePoint p = placeAt(u).point;
   return origin + fromFrame(axes(), {p, v * height});
 }
 
 Direction ExtrusionMirror::normalAt(double u, double) const {
-  const CurvePoint slope = placeOn(splineCurve(points, closed), u * spanCount()).slope;
+  const CurvePoint slope = placeAt(u).slope;
   return fromFrame(axes(), glm::normalize(Vector(slope.y, -slope.x, 0)));
 }
 
@@ -287,7 +286,7 @@ ShapeWords ExtrusionMirror::words(LengthText text) const {
   const int steps = std::min(spanCount(), 16);
   std::string table;
   for (int i = 0; i <= steps - (closed ? 1 : 0); ++i) {
-    const CurvePoint p = placeOn(curve, double(i) / steps * spanCount()).point;
+    const CurvePoint p = placeAt(double(i) / steps).point;
     table += (i > 0 ? ", " : "") + fmt::format("({}, {})", text(p.x - r.min.x), text(p.y - r.min.y));
   }
   return {trFormat("A curved wall, {} mm high, {} x {} mm seen along its axis. It runs through these points, "

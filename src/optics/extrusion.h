@@ -78,8 +78,13 @@ struct ExtrusionMirror {
   double borderDistance(const Point& p) const;
   ShapeWords words(LengthText text) const;
 
+  struct Place {
+    CurvePoint point, slope;
+  };
+
  private:
   int spanCount() const;
+  Place placeAt(double u) const;  ///< 0..1 along the curve
   std::optional<std::string> findCurveProblem() const;
 };
 

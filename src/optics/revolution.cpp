@@ -47,13 +47,22 @@ Stretch stretchNear(const Prepared& prepared, const FrameRay& ray) {
   return {std::max(stretch.from, inside->first), std::min(stretch.to, inside->second)};
 }
 
+// Whether rho is plainly above or below the span's radii from one point of the ray to another.
+bool isPlainlyBeside(const RevolutionMirror::Span& span, const Point& from, const Vector& way) {
+  constexpr double slack = 1e-9;
+  const double a = way.x * way.x + way.y * way.y, b = from.x * way.x + from.y * way.y;
+  const double one = from.x * from.x + from.y * from.y, other = one + 2 * b + a;
+  if ((1 + slack) * std::max(one, other) < span.least * span.least) return true;
+  const double far = (1 + slack) * span.greatest * span.greatest;
+  const bool turns = b < 0 && b + a > 0;  // nearest to the axis in between
+  return turns ? one * a - b * b > far * a : std::min(one, other) > far;
+}
+
 // rho^2 - r^2 from one point of the ray to another; nothing where it is plainly not 0.
 std::optional<Bernstein<6>> gapAlong(const RevolutionMirror::Span& span, const Point& from, const Point& to,
                                      double bottomOfSpan, double spanHeight) {
   const Vector way = to - from;
-  const double one = from.x * from.x + from.y * from.y, other = to.x * to.x + to.y * to.y;
-  constexpr double slack = 1 + 1e-9;
-  if (slack * std::max(one, other) < span.least * span.least) return std::nullopt;  // rho^2 bulges downwards
+  if (isPlainlyBeside(span, from, way)) return std::nullopt;
   const Bernstein<6> rho2 = distanceSquared(from, way);
   const Cubic r =
       partOf(span.radius, (from.z - bottomOfSpan) / spanHeight, (to.z - bottomOfSpan) / spanHeight);
@@ -206,27 +215,26 @@ void RevolutionMirror::carryOn() {
 }
 
 Point RevolutionMirror::pointAt(double u, double v) const {
-  const std::vector<Cubic> spans = splineSpans(radii);
-  const double radius = splineAt(spans, v * static_cast<double>(spans.size())).value;
+  const double radius = splineAt(radii, v * spanCount()).value;
   return glm::mix(bottom, top, v) + radius * around(axis(), u);
 }
 
 Direction RevolutionMirror::normalAt(double u, double v) const {
-  const std::vector<Cubic> spans = splineSpans(radii);
-  const auto count = static_cast<double>(spans.size());
-  const double slope = splineAt(spans, v * count).slope * count / height();
+  const double slope = splineAt(radii, v * spanCount()).slope * spanCount() / height();
   return glm::normalize(around(axis(), u) - slope * axis());
+}
+
+int RevolutionMirror::spanCount() const {
+  return std::max(1, static_cast<int>(radii.size()) - 3);
 }
 
 // Rows end at knots.
 std::array<int, 2> RevolutionMirror::gridFor(int segments) const {
-  const int spans = std::max(1, static_cast<int>(radii.size()) - 3);
-  return {segments, spans * std::max(2, segments / 2 / spans)};
+  return {segments, spanCount() * std::max(2, segments / 2 / spanCount())};
 }
 
 SurfaceLines RevolutionMirror::lines() const {
-  const int spans = std::max(1, static_cast<int>(radii.size()) - 3);
-  return {16, 4, true, 48, 8 * spans, {}, {0, 1}};
+  return {16, 4, true, 48, std::min(8 * spanCount(), 200), {}, {0, 1}};
 }
 
 double RevolutionMirror::borderDistance(const Point& p) const {

@@ -83,6 +83,9 @@ struct RevolutionMirror {
   }
   double borderDistance(const Point& p) const;
   ShapeWords words(LengthText text) const;
+
+ private:
+  int spanCount() const;
 };
 
 }  // namespace anamorph
