@@ -12,7 +12,7 @@ namespace {
 // clang-format off
 constexpr std::array controls{
     "3D view", "A mesh from a file...", "Add a light", "Ambient", "Animate", "Another mesh...",
-    "Camera, frustum and grid", "Canvas", "Caustic", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control rows", "Depth offset", "Depth scale k",
+    "Camera, frustum and grid", "Canvas", "Caustic", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control points", "Control rows", "Depth offset", "Depth scale k",
     "Description", "Difference", "Diffuse", "Direction is right", "Distance", "Distance is right", "Exponent", "Eye",
     "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "Freeze the sculpture",
     "From the start", "Go on", "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays",
@@ -39,9 +39,9 @@ struct ShapeRowNames : ShapeFields {
   void flag(const FieldName& name, bool&) override { names.emplace_back(name.label); }
   void points(const FieldName& name, std::span<Point> values) override { addNumbered(name, values.size()); }
   void lengths(const FieldName& name, std::span<double> values) override { addNumbered(name, values.size()); }
-  void radii(const FieldName& name, std::vector<double>&) override { names.emplace_back(name.label); }
-  void curve(const FieldName& name, std::vector<CurvePoint>&) override { names.emplace_back(name.label); }
-  void heights(const FieldName& name, HeightGrid&) override { names.emplace_back(name.label); }
+  void radii(const FieldName&, std::vector<double>&) override {}      // rows of their own
+  void curve(const FieldName&, std::vector<CurvePoint>&) override {}  // rows of their own
+  void heights(const FieldName&, HeightGrid&) override {}             // rows of their own
   void file(const FieldName& name, SurfaceFile&) override { names.emplace_back(name.label); }
   void addNumbered(const FieldName& name, std::size_t count) {
     for (std::size_t i = 1; i <= count; ++i) {

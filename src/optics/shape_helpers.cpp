@@ -49,6 +49,19 @@ std::optional<std::string> findContactProblem(double gap, double size) {
       "surface, to either side.");
 }
 
+std::optional<std::string> findFarEyeProblem(double distance, double size) {
+  if (!(distance > size * farthestEye)) return std::nullopt;
+  return trFormat(
+      "the mirror's size {:.3g} is too small for an eye that is {:.3g} away: nothing could be seen in it. "
+      "Make the mirror larger, or move the eye nearer.",
+      size, distance);
+}
+
+std::optional<std::string> findLengthProblem(const char* name, double length) {
+  if (length > 0) return std::nullopt;
+  return trFormat("expected a {} > 0, got {}", tr(name), length);
+}
+
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way) {
   constexpr double nothing = 1e-9;  // radians; what places far from the origin lose by rounding is less
   const double length = glm::length(way);

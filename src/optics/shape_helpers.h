@@ -41,6 +41,10 @@ std::optional<std::string> findDistanceProblem(double distance, double radius);
 /// What is wrong with an eye at this distance from a curved surface of this size: it is on it.
 std::optional<std::string> findContactProblem(double gap, double size);
 
+/// The same as findDistanceProblem with a thing that is not round; what is wrong with a length that has a name.
+std::optional<std::string> findFarEyeProblem(double distance, double size);
+std::optional<std::string> findLengthProblem(const char* name, double length);
+
 /// A direction at a point, of any length, as a map turns it: as long as before, and the very same when it is not turned.
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way);
 

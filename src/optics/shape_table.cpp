@@ -8,19 +8,23 @@
 #include "optics/cone.h"
 #include "optics/cylinder.h"
 #include "optics/ellipsoid.h"
-#include "optics/paraboloid.h"
+#include "optics/extrusion.h"
 #include "optics/mesh_mirror.h"
+#include "optics/paraboloid.h"
+#include "optics/patch.h"
 #include "optics/plane.h"
+#include "optics/revolution.h"
 #include "optics/sphere.h"
 
 namespace anamorph {
 namespace {
 
 std::vector<ShapeType>& table() {
-  static std::vector<ShapeType> types{shapeType<PlaneMirror>(),     shapeType<CylinderMirror>(),
-                                      shapeType<SphereMirror>(),    shapeType<ConeMirror>(),
-                                      shapeType<EllipsoidMirror>(), shapeType<ParaboloidMirror>(),
-                                      shapeType<MeshMirror>()};
+  static std::vector<ShapeType> types{shapeType<PlaneMirror>(),      shapeType<CylinderMirror>(),
+                                      shapeType<SphereMirror>(),     shapeType<ConeMirror>(),
+                                      shapeType<EllipsoidMirror>(),  shapeType<ParaboloidMirror>(),
+                                      shapeType<RevolutionMirror>(), shapeType<ExtrusionMirror>(),
+                                      shapeType<PatchMirror>(),      shapeType<MeshMirror>()};
   return types;
 }
 

@@ -109,7 +109,7 @@ class ShapeRows : public ShapeFields {
   bool splineRows(const FieldName& name, std::vector<Value>& values, Range most) {
     if (part_ != Part::sizes || values.size() < 2) return false;
     int count = static_cast<int>(values.size());
-    if (integerRow(name.label, count, {std::max(4.0, most.min), most.max}, name.help)) {
+    if (integerRow("Control points", count, {std::max(4.0, most.min), most.max}, name.help)) {
       values = resampled(values, static_cast<std::size_t>(std::max(count, 2)));
       changed = true;
     }

@@ -7,6 +7,9 @@
 #include "geometry/shapes.h"
 #include "level/level_json.h"
 #include "level/level_library.h"
+#include "optics/extrusion.h"
+#include "optics/patch.h"
+#include "optics/revolution.h"
 #include "pipeline/evaluator.h"
 #include "pipeline/original.h"
 #include "pipeline/picture.h"
@@ -24,14 +27,13 @@ Shape asTriangles(const CylinderMirror& cylinder) {
   return meshMirror(std::move(surface));
 }
 
-void liveStep(benchmark::State& state, bool meshMirror) {
+void liveStep(benchmark::State& state, const Shape& mirror) {
   const int threads = static_cast<int>(state.range(0));
   Mesh knot = makeTorusKnot(2, 3, 0.25, 980, 50);  // 49 000 vertices
   knot.positions = mapPoints(knot.positions, [](const Point& p) { return Point(0, 5.4, 1.5) + p; });
   DeformInput input;
   input.original = std::make_shared<const Mesh>(knot);
-  const CylinderMirror cylinder{{0, 0, 0}, {0, 0, 10}, 3};
-  input.map.optic.shape() = meshMirror ? asTriangles(cylinder) : Shape(cylinder);
+  input.map.optic.shape() = mirror;
   input.map.eye = input.camera.eye = {0, -13.6, 9.8};
   input.camera.target = {0, 5.4, 1.5};
   input.tolerancePixels = 0;
@@ -61,26 +63,31 @@ void release(benchmark::State& state, const char* name) {
   }
 }
 
-BENCHMARK_CAPTURE(liveStep, cylinder, false)
-    ->Name("live step")
-    ->Arg(1)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(liveStep, mesh, true)
-    ->Name("live step, mesh mirror")
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+#define LIVE_STEP(name, mirror) \
+  BENCHMARK_CAPTURE(liveStep, name, mirror)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()
+LIVE_STEP(cylinder, (CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3}));
+LIVE_STEP(sphere, (SphereMirror{{0, 0, 4}, 4}));
+LIVE_STEP(revolution, RevolutionMirror{});
+LIVE_STEP(extrusion, ExtrusionMirror{});
+LIVE_STEP(patch, PatchMirror{});
+LIVE_STEP(mesh, asTriangles(CylinderMirror{{0, 0, 0}, {0, 0, 10}, 3}));
 BENCHMARK_CAPTURE(release, plane, "1-plane")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(release, cylinder, "2-cylinder")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(release, sphere, "3-sphere")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 const bool rows[] = {
-    milliseconds("live step, 98 k triangles, 1 thread", "live step/1/real_time", "<= 8.0"),
-    milliseconds("live step, 98 k triangles, 2 threads", "live step/2/real_time", "<= 8.0"),
-    milliseconds("live step, mirror of 100 k triangles, 2 threads", "live step, mesh mirror/2/real_time",
-                 "<= 40"),
+    milliseconds("live step, 98 k triangles, 1 thread", "liveStep/cylinder/1/real_time", "<= 8.0"),
+    milliseconds("live step, 98 k triangles, 2 threads", "liveStep/cylinder/2/real_time", "<= 8.0"),
+    milliseconds("live step, turned profile, 2 threads", "liveStep/revolution/2/real_time", "<= 25.0"),
+    milliseconds("live step, curved wall, 2 threads", "liveStep/extrusion/2/real_time", "<= 25.0"),
+    milliseconds("live step, curved patch, 2 threads", "liveStep/patch/2/real_time", "<= 25.0"),
+    ratio("live step, turned profile / sphere", "liveStep/revolution/2/real_time",
+          "liveStep/sphere/2/real_time", "<= 6.0"),
+    ratio("live step, curved wall / sphere", "liveStep/extrusion/2/real_time", "liveStep/sphere/2/real_time",
+          "<= 6.0"),
+    ratio("live step, curved patch / sphere", "liveStep/patch/2/real_time", "liveStep/sphere/2/real_time",
+          "<= 6.0"),
+    milliseconds("live step, mirror of 100 k triangles, 2 threads", "liveStep/mesh/2/real_time", "<= 40"),
     milliseconds("refine and match at 512, plane", "release/plane/real_time", "<= 1000"),
     milliseconds("refine and match at 512, cylinder", "release/cylinder/real_time", "<= 1000"),
     milliseconds("refine and match at 512, sphere", "release/sphere/real_time", "<= 1000"),
