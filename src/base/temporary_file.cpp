@@ -67,9 +67,11 @@ std::string freshName() {
   return name;
 }
 
-void removeLeftTemporaries(const fs::path& folder) {
-  const auto oldest = fs::file_time_type::clock::now() - std::chrono::minutes(10);
+// How old they are is told by the clock that `fresh` was made by: a file server's may be hours beside ours.
+void removeLeftTemporaries(const fs::path& folder, const fs::path& fresh) {
   std::error_code problem, ignored;
+  const auto oldest = fs::last_write_time(fresh, problem) - std::chrono::minutes(10);
+  if (problem) return;
   for (fs::directory_iterator entry(folder.empty() ? "." : folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
     const std::string name = entry->path().filename().string();
@@ -83,7 +85,6 @@ void removeLeftTemporaries(const fs::path& folder) {
 }  // namespace
 
 TemporaryFile::TemporaryFile(const fs::path& folder, mode_t mode) {
-  removeLeftTemporaries(folder);
   do {
     giveSlot(slot_);
     path_ = folder / freshName();
@@ -91,7 +92,11 @@ TemporaryFile::TemporaryFile(const fs::path& folder, mode_t mode) {
     descriptor_ =
         retried([&] { return ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
   } while (descriptor_ < 0 && errno == EEXIST);
-  if (descriptor_ < 0) path_.clear();
+  if (descriptor_ < 0) {
+    path_.clear();
+  } else {
+    removeLeftTemporaries(folder, path_);
+  }
 }
 
 TemporaryFile::~TemporaryFile() {

@@ -13,8 +13,8 @@ namespace anamorph {
 
 class TemporaryFile {
  public:
-  /// In `folder`, with the access rights `mode` less what the umask takes, and a name that nobody has. Removes those
-  /// first that programs which were killed have left there: that nobody has written to for ten minutes.
+  /// In `folder`, with the access rights `mode` less what the umask takes, and a name that nobody has. Then removes
+  /// those that programs which were killed have left there: that nobody has written to for ten minutes.
   TemporaryFile(const std::filesystem::path& folder, mode_t mode);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;

@@ -13,6 +13,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -28,6 +29,7 @@ struct Watched {
   std::map<int, std::string> opened;
   std::size_t count = 0;
   bool halves = false;
+  std::chrono::seconds clockAhead{0};
 };
 
 std::mutex mutex;
@@ -135,6 +137,11 @@ std::optional<DiskCall> DiskWatch::failed() const {
 void DiskWatch::writeInHalves() {
   const std::lock_guard lock(mutex);
   watched.halves = true;
+}
+
+void DiskWatch::setClockAhead(std::chrono::seconds ahead) {
+  const std::lock_guard lock(mutex);
+  watched.clockAhead = ahead;
 }
 
 }  // namespace anamorph::testing
@@ -263,5 +270,12 @@ int fsetxattr(int file, const char* attribute, const void* value, size_t size, i
   const std::lock_guard lock(mutex);
   const auto name = openedAs(file);
   return name ? pass({DiskChange::attribute, *name, file, {}, 0}, call) : call();
+}
+
+int clock_gettime(clockid_t clock, timespec* time) noexcept {
+  const int result = static_cast<int>(::syscall(SYS_clock_gettime, clock, time));
+  const std::lock_guard lock(mutex);
+  if (result == 0 && clock == CLOCK_REALTIME) time->tv_sec += watched.clockAhead.count();
+  return result;
 }
 }

@@ -7,6 +7,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -60,6 +61,8 @@ class DiskWatch {
   std::optional<DiskCall> failed() const;
   /// From now on write() takes only half of what it is given (a single byte whole), as it may.
   void writeInHalves();
+  /// From now on the program's clock is so far ahead of the disk's, as beside a file server's.
+  void setClockAhead(std::chrono::seconds ahead);
 };
 
 }  // namespace anamorph::testing

@@ -5,6 +5,7 @@
 #include <sys/xattr.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace testing;
+using namespace std::chrono_literals;
 
 constexpr std::size_t maxCalls = 100;
 
@@ -143,6 +145,23 @@ TEST_F(DiskFaults, WhenSomethingIsSetAsideAreTold) {
                          (moved ? ": renamed to doc.broken, but it may not outlive a power cut"
                                 : ": cannot be renamed to doc.broken") +
                          ": Input/output error");
+  }
+}
+
+TEST_F(DiskFaults, OfTheClockTakeNoFileFromWhoStillWritesIt) {
+  for (const std::chrono::hours ahead : {-24 * 365h, 24 * 365h}) {
+    SCOPED_TRACE(std::to_string(ahead.count()) + " hours ahead of the disk");
+    const TemporaryFolder folder;
+    const fs::path root = fs::path(folder / "").parent_path();
+    writeFile(root / ".anamorph-killed", "half a docu");
+    fs::last_write_time(root / ".anamorph-killed", fs::file_time_type::clock::now() - 20min);
+    DiskWatch watch(root);
+    watch.setClockAhead(ahead);
+    AtomicFile first(root / "first");
+    writeFile(root / "second", "2");
+    first.write("1");
+    EXPECT_EQ(errorOf([&] { first.commit(); }), "no error");
+    EXPECT_EQ(readImage(root), (DiskImage{{"first", "1"}, {"second", "2"}}));
   }
 }
 
