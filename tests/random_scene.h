@@ -80,7 +80,7 @@ inline RandomScene makeRandomScene(ShapeKind kind, Random& random) {
     scene.onMirror = centre + own * (radii * n);
     scene.normal = glm::normalize(own * (n / radii));
   } else if (kind == ShapeKind::paraboloid) {
-    const double focal = random.uniform(0.5, 4), radius = random.uniform(1, 4);
+    const double radius = random.uniform(1, 4), focal = random.uniform(0.2, 1) * radius;
     const double hole = random.integer(0, 1) == 0 ? 0 : random.uniform(0.1, 0.5) * radius;
     scene.optic.shape() = ParaboloidMirror{centre, random.uniform(0.1, 9) * frame.up, focal, radius, hole};
     const double rho = hole + random.uniform(0.1, 0.9) * (radius - hole);

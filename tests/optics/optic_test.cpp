@@ -145,7 +145,7 @@ TEST(ExitPoints, PlainOnesAgreeWithFollowRayToTheBit) {
         plain += plainOnes;
         if (::testing::Test::HasFailure()) return;
       }
-      EXPECT_GT(mapped, 300 * 20u);
+      EXPECT_GT(mapped, 300 * 15u);
       EXPECT_GT(plain, 0.99 * mapped) << "the plain case is the common one, kind " << int(kind) << hollow;
     }
   }

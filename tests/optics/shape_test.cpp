@@ -149,7 +149,7 @@ TEST(MirrorProblems, BadEyesAreNamedWithTheWayOut) {
        "Move the eye away from the surface, to either side."},
       {SphereMirror{Point(0), 4},
        {5e6, 0, 0},
-       "the mirror's radius 4 is too small for an eye that is 5e+06 away"},
+       "the mirror's radius 4 is too small for an eye that is 5000000 away"},
       {CylinderMirror{{0, 0, 0}, {0, 0, 1}, 10}, {0, 10, 0.5}, "on the surface of the mirror"},
       {ConeMirror{{0, 0, 0}, {0, 0, 10}, 10, 5}, {0, 6, 8}, "on the surface of the mirror"},
       {EllipsoidMirror{{0, 0, 0}, {1, 2, 3}, {0, 0, 90}}, {2, 0, 0}, "on the surface of the mirror"},
