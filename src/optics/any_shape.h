@@ -243,17 +243,9 @@ class ShapeOf final : public AnyShape {
   }
   double borderDistance(const Point& point) const override { return shape_.borderDistance(point); }
 
-  Point pointAt(double u, double v) const override {
-    if constexpr (requires(const S& s, const Prepared& p) { s.pointAt(p, u, v); }) {
-      return shape_.pointAt(prepared(), u, v);
-    } else {
-      return shape_.pointAt(u, v);
-    }
-  }
+  Point pointAt(double u, double v) const override { return shape_.pointAt(u, v); }
   SmoothMesh tessellate(int segments) const override {
-    if constexpr (requires(const S& s, const Prepared& p) { s.tessellate(p, segments); }) {
-      return shape_.tessellate(prepared(), segments);
-    } else if constexpr (requires { shape_.tessellate(segments); }) {
+    if constexpr (requires { shape_.tessellate(segments); }) {
       return shape_.tessellate(segments);
     } else {
       const auto [columns, rows] = shape_.gridFor(segments);

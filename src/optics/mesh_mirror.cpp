@@ -17,18 +17,10 @@ Direction unitOr(const Vector& v, const Direction& otherwise) {
   return length > 0 ? v / length : otherwise;
 }
 
-// Normals go as planes do: by the inverse of the scale.
-SmoothMesh placed(const SmoothMesh& surface, const Placement& placement) {
-  if (placement == Placement{}) return surface;
-  SmoothMesh result;
-  result.mesh.triangles = surface.mesh.triangles;
-  result.mesh.positions = mapPoints(surface.mesh.positions, PlacementMap(placement));
-  const glm::dmat3 turn = rotationMatrix(placement.rotationDegrees);
-  result.normals = mapPoints(surface.normals, [&](const Vector& n) {
-    return unitOr(turn * (n / placement.scale), Direction(0, 0, 1));
-  });
-  result.corners = surface.corners;
-  return result;
+// From the file into the scene. Normals go as planes do: by the inverse of the scale.
+Direction placedNormal(const Placement& placement, const glm::dmat3& turn, const Vector& normal,
+                       const Direction& otherwise) {
+  return unitOr(turn * (normal / placement.scale), otherwise);
 }
 
 }  // namespace
@@ -44,27 +36,39 @@ void MeshMirror::visitFields(ShapeFields& fields) {
 
 MeshMirror::Prepared MeshMirror::prepare() const {
   Prepared prepared;
+  prepared.turn = rotationMatrix(placement.rotationDegrees);
   prepared.box.extend(prepared.middle = placement.position);
   if (findProblem()) return prepared;
-  prepared.surface = placed(*file.mesh, placement);
-  const Mesh& mesh = prepared.surface.mesh;
-  prepared.tree = Bvh(mesh.positions, mesh.triangles, 0);
-  prepared.box = boundingBox(mesh.positions);
-  prepared.middle = PlacementMap(placement)(boundingBox(file.mesh->mesh.positions).centre());
+  const Mesh& mesh = file.mesh->mesh;
+  const PlacementMap place(placement);
+  prepared.tree = file.tree ? file.tree : std::make_shared<const Bvh>(mesh.positions, mesh.triangles, 0);
+  prepared.box = boundingBox(mapPoints(mesh.positions, place));
+  prepared.middle = place(boundingBox(mesh.positions).centre());
   return prepared;
 }
 
 std::optional<SurfaceHit> MeshMirror::intersect(const Prepared& prepared, const Ray& ray, double tMin) const {
+  if (!prepared.tree) return std::nullopt;
+  const auto intoFile = [&](const Vector& v) { return glm::transpose(prepared.turn) * v / placement.scale; };
   BvhHit met;
-  if (!prepared.tree.closestExactHit(ray, met, tMin)) return std::nullopt;
-  const SmoothMesh& surface = prepared.surface;
-  const Triangle &corners = surface.mesh.triangles[met.triangle], &normals = surface.normalsOf(met.triangle);
-  const auto mean = [&](const PointArray& values, const Triangle& at) {
-    return (1 - met.u - met.v) * values[at[0]] + met.u * values[at[1]] + met.v * values[at[2]];
+  const Ray inFile{intoFile(ray.origin - placement.position), intoFile(ray.direction)};
+  if (!prepared.tree->closestExactHit(inFile, met, tMin)) return std::nullopt;
+  const Mesh& mesh = file.mesh->mesh;
+  const Triangle &corners = mesh.triangles[met.triangle], &normals = file.mesh->normalsOf(met.triangle);
+  const auto mean = [&](const Vector& a, const Vector& b, const Vector& c) {
+    return (1 - met.u - met.v) * a + met.u * b + met.v * c;
   };
-  const Direction facet = unitOr(areaVector(surface.mesh.positions, corners), Direction(0));
-  const Direction normal = unitOr(mean(surface.normals, normals), facet);
-  return SurfaceHit{met.t, mean(surface.mesh.positions, corners), facing(normal, ray.direction), facet};
+  const auto normalAt = [&](std::uint32_t i) {
+    return placedNormal(placement, prepared.turn, file.mesh->normals[i], Direction(0));
+  };
+  const Point point =
+      mean(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]);
+  const Direction facet =
+      placedNormal(placement, prepared.turn, areaVector(mesh.positions, corners), Direction(0));
+  const Direction normal =
+      unitOr(mean(normalAt(normals[0]), normalAt(normals[1]), normalAt(normals[2])), facet);
+  return SurfaceHit{met.t, placement.position + prepared.turn * (placement.scale * point),
+                    facing(normal, ray.direction), facet};
 }
 
 std::optional<std::string> MeshMirror::findProblem() const {
@@ -73,9 +77,9 @@ std::optional<std::string> MeshMirror::findProblem() const {
   if (!file.mesh) return tr("its mesh file has not been read");
   const std::size_t triangles = file.mesh->mesh.triangles.size();
   if (triangles == 0) return tr("expected a mesh with triangles, got one without");
-  if (triangles > mostTriangles) {
-    return trFormat("expected a mesh of at most {} triangles, got {}; make it coarser", mostTriangles,
-                    triangles);
+  if (triangles > SurfaceFile::mostTriangles) {
+    return trFormat("expected a mesh of at most {} triangles, got {}; make it coarser",
+                    SurfaceFile::mostTriangles, triangles);
   }
   return std::nullopt;
 }
@@ -123,17 +127,25 @@ void MeshMirror::carryOn() {
   placement.position = middle + growth * (placement.position - middle);
 }
 
-Point MeshMirror::pointAt(const Prepared& prepared, double u, double v) const {
-  const Mesh& mesh = prepared.surface.mesh;
-  if (mesh.triangles.empty()) return prepared.middle;
+Point MeshMirror::pointAt(double u, double v) const {
+  if (findProblem()) return placement.position;
+  const Mesh& mesh = file.mesh->mesh;
   const auto count = static_cast<double>(mesh.triangles.size());
   const Triangle& t = mesh.triangles[static_cast<std::size_t>(std::clamp(u * count, 0.0, count - 1))];
   const Point opposite = 0.5 * (mesh.positions[t[1]] + mesh.positions[t[2]]);
-  return glm::mix(mesh.positions[t[0]], opposite, v);
+  return PlacementMap(placement)(glm::mix(mesh.positions[t[0]], opposite, v));
 }
 
-SmoothMesh MeshMirror::tessellate(const Prepared& prepared, int) const {
-  return prepared.surface;
+SmoothMesh MeshMirror::tessellate(int) const {
+  if (findProblem()) return {};
+  if (placement == Placement{}) return *file.mesh;
+  SmoothMesh surface = *file.mesh;
+  surface.mesh.positions = mapPoints(file.mesh->mesh.positions, PlacementMap(placement));
+  const glm::dmat3 turn = rotationMatrix(placement.rotationDegrees);
+  surface.normals = mapPoints(file.mesh->normals, [&](const Vector& n) {
+    return placedNormal(placement, turn, n, Direction(0, 0, 1));
+  });
+  return surface;
 }
 
 ShapeWords MeshMirror::words(const Prepared& prepared, LengthText text) const {

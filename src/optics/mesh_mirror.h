@@ -5,10 +5,11 @@
 //          / \  N
 //      n1 '---' n2       b: Q's barycentric coordinates
 //
-// So what is seen in it is smooth, with an error that falls with the square of the triangles' size. The file is never
+// What is seen in it is smooth, with an error that falls with the square of the triangles' size. The file is never
 // written: what moves the mirror changes its placement.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,8 +24,6 @@ struct MeshMirror {
   static constexpr const char *name = "mesh", *label = "Mesh from a file...";
   static constexpr int since = 2;
   static constexpr bool needsFile = true;
-  /// More would take a computer's memory and seconds of every drag.
-  static constexpr std::size_t mostTriangles = 5'000'000;
 
   SurfaceFile file;
   Placement placement;
@@ -32,10 +31,10 @@ struct MeshMirror {
 
   void visitFields(ShapeFields& fields);
 
-  /// The surface where it stands, and the tree of its triangles.
+  /// Rays are sent through the file's own mesh, so that a mirror that is moved needs no tree of its own.
   struct Prepared {
-    SmoothMesh surface;
-    Bvh tree;
+    std::shared_ptr<const Bvh> tree;  ///< null: nothing is met
+    glm::dmat3 turn{1};
     Box box;
     Point middle{0};  ///< of the file's own box: turning leaves it where it is
   };
@@ -66,9 +65,9 @@ struct MeshMirror {
   // ---- How it is drawn and described
 
   /// Of the triangle that is the fraction u of the way through the file.
-  Point pointAt(const Prepared& prepared, double u, double v) const;
+  Point pointAt(double u, double v) const;
   /// The mesh itself, however many segments are wanted.
-  SmoothMesh tessellate(const Prepared& prepared, int segments) const;
+  SmoothMesh tessellate(int segments) const;
   /// It has no parameters to draw lines of.
   SurfaceLines lines() const { return {0, 0, false, 0, 0, {}, {}}; }
   double borderDistance(const Point&) const { return 1; }

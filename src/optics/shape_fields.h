@@ -36,12 +36,18 @@ struct HeightGrid {
   double& at(std::size_t row, std::size_t column) { return heights[row * columns + column]; }
 };
 
+class Bvh;
+
 /// A mesh file that a surface is made of. Its mesh is read when the level is (pipeline/mirror_files.h); levels are equal
 /// when path and mesh are.
 struct SurfaceFile {
+  /// More would take a computer's memory and seconds of every change.
+  static constexpr std::size_t mostTriangles = 5'000'000;
+
   std::string path;                        ///< as it was written
   std::shared_ptr<const SmoothMesh> mesh;  ///< null: it has not been read
   std::string problem;                     ///< why not
+  std::shared_ptr<const Bvh> tree{};       ///< of the mesh: one for all that share it
 
   bool operator==(const SurfaceFile& other) const {
     return path == other.path && problem == other.problem &&

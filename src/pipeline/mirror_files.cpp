@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "geometry/bvh.h"
 #include "geometry/mesh_files.h"
 #include "level/surface_files.h"
 
@@ -17,6 +18,30 @@ namespace {
 constexpr double mostKinkDegrees =
     10;  // beyond it the triangles show in what is reflected (method-optics, section 3)
 
+// With its tree: that is made here, where no frame waits for it.
+SurfaceFile readSurface(SurfaceFile file, const std::string& path, const MeshLimits& limits,
+                        const CancelToken* token, std::vector<std::string>& warnings) {
+  try {
+    LoadedSurface loaded = loadSurface(path, limits, token);
+    const Mesh& mesh = loaded.surface.mesh;
+    if (mesh.triangles.size() <= SurfaceFile::mostTriangles)
+      file.tree = std::make_shared<const Bvh>(mesh.positions, mesh.triangles, 0);
+    std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(warnings));
+    const double kink = largestKinkDegrees(loaded.surface);
+    if (kink > mostKinkDegrees) {
+      warnings.push_back(
+          fmt::format("{}: some triangles lean by {:.0f} degrees from the normals at their corners, so that "
+                      "what is reflected "
+                      "has kinks; of finer triangles, {} degrees at most, none are seen",
+                      path, kink, mostKinkDegrees));
+    }
+    file.mesh = std::make_shared<const SmoothMesh>(std::move(loaded.surface));
+  } catch (const Error& error) {
+    file.problem = error.what();
+  }
+  return file;
+}
+
 }  // namespace
 
 std::vector<std::string> readMirrorFiles(LevelScene& level, const std::filesystem::path& levelPath,
@@ -25,28 +50,11 @@ std::vector<std::string> readMirrorFiles(LevelScene& level, const std::filesyste
   std::map<std::string, SurfaceFile> read;  // a frozen sculpture has most often the same
   changeSurfaceFiles(level, [&](SurfaceFile& file) {
     if (file.path.empty() || file.mesh || !file.problem.empty()) return;
-    const auto [known, isNew] = read.try_emplace(file.path, file);
-    SurfaceFile& result = known->second;
-    if (isNew) {
-      const std::string path = surfacePath(file, levelPath).string();
-      try {
-        LoadedSurface loaded = loadSurface(path, limits, token);
-        const double kink = largestKinkDegrees(loaded.surface);
-        result.mesh = std::make_shared<const SmoothMesh>(std::move(loaded.surface));
-        std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(warnings));
-        if (kink > mostKinkDegrees) {
-          warnings.push_back(fmt::format(
-              "{}: some triangles lean by {:.0f} degrees from the normals at their corners, so that what is "
-              "reflected has kinks; finer triangles, of 10 degrees at most, have none that are seen",
-              path, kink));
-        }
-      } catch (const Error& error) {
-        result.problem = error.what();
-      }
-    }
-    file = result;
+    const auto [known, isNew] = read.try_emplace(file.path);
+    if (isNew)
+      known->second = readSurface(file, surfacePath(file, levelPath).string(), limits, token, warnings);
+    file = known->second;
   });
-  boxOf(level.optic);  // its tree is made here, where nobody waits for a frame
   return warnings;
 }
 

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_files.h"
-#include "geometry/mesh_files.h"
 #include "level/level_json.h"
 #include "program.h"
 #include "shapes.h"

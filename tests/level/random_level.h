@@ -23,13 +23,18 @@ class RandomLevel {
     level.camera = camera();
     level.grid = {whole(1, 64), whole(1, 64), length()};
     level.original = {shape(), coin(), {point(), point(), coin() ? Vector(length()) : lengths()}, material()};
-    level.sculpture = {
-        between(0.01, 100), coin() ? 0 : between(0.001, 1000), static_cast<std::size_t>(whole(1, 100000000)),
-        whole(16, 16384),   {coin(), coin(), coin()},          material(),
-        std::nullopt};
+    level.sculpture = {between(0.01, 100),
+                       coin() ? 0 : between(0.001, 1000),
+                       coin() ? 0 : between(0.001, 1000),
+                       static_cast<std::size_t>(whole(1, 100000000)),
+                       whole(16, 16384),
+                       {coin(), coin(), coin()},
+                       material(),
+                       std::nullopt};
     if (coin()) {
       level.sculpture.frozen = {{OpticKind::mirror, mirror()}, camera(),           coin(),
-                                {point(), point(), lengths()}, between(0.01, 100), {coin(), coin(), coin()}};
+                                {point(), point(), lengths()}, between(0.01, 100), coin() ? 0 : length(),
+                                {coin(), coin(), coin()}};
     }
     level.lights.resize(static_cast<std::size_t>(whole(0, 4)));
     for (PointLight& light : level.lights) light = {point(), color(), between(0, 1000)};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/normals.h"
+#include "geometry/shapes.h"
 #include "random_scene.h"
 #include "shapes.h"
 
@@ -48,6 +50,29 @@ TEST(CanvasLines, BeginAndEndOnTheSurface) {
       }
     }
   }
+}
+
+TEST(CanvasLines, OfAMeshAreSomeOfItsTriangles) {
+  for (const int segments : {8, 96}) {
+    const Mesh ball = makeSphere(2, segments);
+    const auto lines = makeCanvasLines({OpticKind::canvas, meshMirror(withSmoothNormals(ball))}, false);
+    EXPECT_GE(lines.size(), 300u);
+    EXPECT_LE(lines.size(), 3000u);
+    for (const Line& line : lines) {
+      EXPECT_NEAR(glm::length(line.from), 2, 1e-9);
+      EXPECT_NEAR(glm::length(line.to), 2, 1e-9);
+    }
+  }
+}
+
+TEST(CanvasLines, AreNotThereWhereTheCanvasIsCutAway) {
+  Shape half = SphereMirror{};
+  const std::size_t whole = makeCanvasLines({OpticKind::canvas, half}, false).size();
+  half.clipBy({{middleOf(half), {0, 0, 1}}});
+  const auto lines = makeCanvasLines({OpticKind::canvas, half}, false);
+  EXPECT_GT(lines.size(), whole / 3);
+  EXPECT_LT(lines.size(), whole);
+  for (const Line& line : lines) EXPECT_GE(line.from.z + line.to.z, -1e-9);
 }
 
 TEST(CanvasLines, OfAPlaneHaveItsCornersAndAreOrangeWhenSelected) {

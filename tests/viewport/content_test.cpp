@@ -147,6 +147,22 @@ TEST_F(Content, SelectionIsOutlined) {
   EXPECT_EQ(count(pictureOf(input), orange), 0);
 }
 
+// A mirror of triangles, too, and of a cut one only what is kept.
+TEST_F(Content, SelectedMirrorsAreOutlinedAsTheyAreSeen) {
+  const auto orange = [](const Rgba& c) { return c.r > 240 && std::abs(c.g - 89) < 12 && c.b < 12; };
+  ViewportInput input = startInput(finishedLevel("mesh"), 320, 240);
+  input.selection = {Part::mirror, 0};
+  EXPECT_GT(count(pictureOf(input), orange), 200);
+  input = startInput(finishedLevel("3-sphere"), 320, 240);
+  input.selection = {Part::mirror, 0};
+  const int whole = count(pictureOf(input), orange);
+  Shape& ball = input.level.optic.shape();
+  ball.clipBy({{middleOf(ball) + Vector(0, 0, 0.3 * boxOf(ball).size().z), {0, 0, 1}}});
+  const int cap = count(pictureOf(input), orange);
+  EXPECT_GT(cap, 40);
+  EXPECT_LT(cap, 0.8 * whole);
+}
+
 TEST_F(Content, OriginalIsSolidGhostOrHidden) {
   ViewportInput input = bareInput();
   input.pose = {{3, 14, 4}, {0, 3.75, 2}, {0, 0, 1}, 40, false};  // from behind the mirror
