@@ -66,6 +66,32 @@ inline Point randomEye(const Shape& shape, Random& random) {
   return box.centre() + box.diagonal() * random.uniform(1, 4) * random.direction();
 }
 
+// ---- Places of their surfaces
+
+/// A point of the surface and its outward normal.
+struct Aim {
+  Point point;
+  Direction normal;
+};
+inline Aim aimAt(const Shape& shape, double u, double v) {
+  if (const auto* mirror = shape.as<RevolutionMirror>())
+    return {mirror->pointAt(u, v), mirror->normalAt(u, v)};
+  if (const auto* mirror = shape.as<ExtrusionMirror>())
+    return {mirror->pointAt(u, v), mirror->normalAt(u, v)};
+  const auto& mirror = shapeAs<PatchMirror>(shape);
+  return {mirror.pointAt(u, v), mirror.normalAt(u, v)};
+}
+
+// A direction at least 3 degrees out of the surface: along it, or any; now and then with components that are 0.
+inline Direction wayTo(const Aim& aim, Random& random) {
+  while (true) {
+    Direction d = random.direction();
+    if (random.integer(0, 4) == 0) d[random.integer(0, 2)] = 0;
+    d = glm::normalize(d);
+    if (isFinite(d) && std::abs(glm::dot(d, aim.normal)) > 0.05) return d;
+  }
+}
+
 // ---- By definition
 
 /// Blends of the four control values of a span.
