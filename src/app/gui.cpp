@@ -182,7 +182,7 @@ void Gui::refreshStyle() {
   const bool asBefore =
       ui_.scale == scale && ui_.theme == p.theme && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
-  if (p.uiScale > 0 && fitting < wanted && !ui_.headless)
+  if (ui_.scale != scale && p.uiScale > 0 && fitting < wanted && !ui_.headless)
     editor_->status.say(
         trFormat("Text and controls have {:.0f} % of their size here: more would leave no room for all "
                  "panels.",

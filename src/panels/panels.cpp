@@ -58,7 +58,7 @@ void drawSplitters(UiState& ui) {
              {l.properties.x - t / 2, l.properties.y, t, l.properties.height + l.preview.height}, true,
              p.rightWidth, -1, smallestRight, 900);
   }
-  if (!l.preview.empty()) {
+  if (!l.preview.empty() && !l.properties.empty()) {
     splitter(ui, "##split-preview", {l.preview.x, l.preview.y - t / 2, l.preview.width, t}, false,
              p.previewHeight, -1, 220, 1400);
   }
