@@ -175,12 +175,18 @@ void Gui::refreshStyle() {
   const Preferences& p = ui_.preferences;
   const double wanted = (p.uiScale > 0 ? p.uiScale : screenScale_) * themeScale(p.theme);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const double fitting =
-      ui_.panelsHidden ? wanted : fittingScale(wanted, display.x / shotFactor_, display.y / shotFactor_);
+  const double fitting = ui_.panelsHidden && !ui_.presenting
+                             ? wanted
+                             : fittingScale(wanted, display.x / shotFactor_, display.y / shotFactor_);
   const double scale = fitting * shotFactor_;
   const bool asBefore =
       ui_.scale == scale && ui_.theme == p.theme && ui_.presenting == (ui_.fonts.huge != nullptr);
   if (asBefore && ImGui::GetIO().Fonts->IsBuilt()) return;
+  if (ui_.scale != scale && p.uiScale > 0 && fitting < wanted && !ui_.headless)
+    editor_->status.say(
+        trFormat("Text and controls have {:.0f} % of their size here: more would leave no room for all "
+                 "panels.",
+                 100 * fitting / themeScale(p.theme)));
   ui_.theme = p.theme;
   ui_.scale = scale;
   applyStyle(p.theme, scale);

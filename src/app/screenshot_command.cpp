@@ -23,6 +23,7 @@
 #include "panels/actions.h"
 #include "panels/file_flow.h"
 #include "panels/lesson_text.h"
+#include "panels/style.h"
 #include "raytrace/png.h"
 
 namespace anamorph {
@@ -35,7 +36,7 @@ struct ScreenshotOptions {
   std::optional<double> morph;
   std::optional<std::size_t> step;
   int tour = 0;
-  bool present = false, help = false, exporting = false, progress = false, showMe = false;
+  bool present = false, help = false, exporting = false, progress = false, doIt = false;
   bool noPanels = false, transparent = false, lookThrough = false;
   std::optional<std::uint32_t> vertex;
 };
@@ -140,7 +141,7 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   gui.ui().bare = options.transparent && options.noPanels;
   arrange(gui.editor(), gui.ui(), options);
   headless.settle();
-  if (options.showMe) {
+  if (options.doIt) {
     doStep(gui.editor(), gui.ui());
     headless.settle();
   }
@@ -148,6 +149,9 @@ void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
     pickVertex(gui.editor(), *options.vertex);
     headless.settle();
   }
+  if (const double fits = gui.ui().scale / themeScale(preferences.theme); fits < options.uiScale - 1e-6)
+    sayMessage(common, fmt::format("--ui-scale {:g}: {} x {} pixels have room for all panels at {:.4g} only",
+                                   options.uiScale, options.size.first, options.size.second, fits));
   if (const auto& problem = gui.editor().updater.result().problem) sayMessage(common, *problem);
   Bitmap bitmap = headless.readBack();
   if (options.transparent) divideByAlpha(bitmap);
@@ -190,7 +194,7 @@ void addScreenshotCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--preview", options->tab, "reflection, original, difference or wipe")
       ->check(CLI::IsMember(std::vector<std::string>(previewTabs.begin(), previewTabs.end())));
   addStepOption(*command, options->step, "The step of the lesson that is open, from 1 on");
-  command->add_flag("--show-me", options->showMe, "After the move that Do it makes of the step");
+  command->add_flag("--do-it,--show-me", options->doIt, "After the move that Do it makes of the step");
   command->add_flag("--present", options->present, "With the step in large letters, as for an audience");
   command->add_flag("--help-window", options->help, "With the help window");
   command->add_flag("--export-window", options->exporting, "With the export window");

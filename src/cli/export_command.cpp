@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/folder.h"
-#include "base/language.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/input.h"
@@ -183,18 +182,6 @@ std::size_t writeFiles(const LevelResult& finished, const std::vector<ExportRequ
   return failed;
 }
 
-std::string checkText(const PrintCheck& check, std::size_t notMapped) {
-  const std::vector<std::string> problems = findPrintProblems(check, notMapped);
-  const std::vector<std::string> hints = findPrintHints(check);
-  std::string text = fmt::format("{}{:<20}{}\n", formatPrintCheck(check), tr("printable"),
-                                 tr(!problems.empty() ? "not as it is"
-                                    : hints.empty()   ? "yes"
-                                                      : "yes, with care"));
-  for (const std::string& problem : problems) text += "- " + problem + "\n";
-  for (const std::string& hint : hints) text += "- " + hint + "\n";
-  return text;
-}
-
 void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   std::vector<Output> outputs = makeOutputs(options.outputs, options.format);
   const std::vector<ExportRequest> requests = makeRequests(options, outputs);
@@ -216,7 +203,7 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
     }();
     const std::size_t notMapped = countNotMapped(finished);
     json.add("printCheck", printCheckJson(check, notMapped));
-    if (!common.json) printText(piped ? stderr : stdout, checkText(check, notMapped));
+    if (!common.json) printText(piped ? stderr : stdout, formatPrintReport(check, notMapped));
   }
   if (common.json) printJson(json.value());
   if (failed == 0) return;

@@ -208,6 +208,18 @@ std::string formatPrintCheck(const PrintCheck& check) {
   return text;
 }
 
+std::string formatPrintReport(const PrintCheck& check, std::size_t notMapped) {
+  const std::vector<std::string> problems = findPrintProblems(check, notMapped),
+                                 hints = findPrintHints(check);
+  const char* verdict = !problems.empty() ? tr("not as it is")
+                        : hints.empty()   ? tr("yes")
+                                          : tr("yes, with care");
+  std::string text = formatPrintCheck(check) + fmt::format("{:<20}{}\n", tr("printable"), verdict);
+  for (const std::string& problem : problems) text += "- " + problem + "\n";
+  for (const std::string& hint : hints) text += "- " + hint + "\n";
+  return text;
+}
+
 JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
   const SurfaceTopology& topology = check.topology;
   JsonObject object;

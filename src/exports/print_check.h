@@ -53,6 +53,9 @@ std::vector<std::string> findPrintHints(const PrintCheck& check);
 std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck& check);
 /// The same as a line each.
 std::string formatPrintCheck(const PrintCheck& check);
+/// The same with whether it can be printed, what hinders that and what is worth knowing; `notMapped` as for
+/// findPrintProblems().
+std::string formatPrintReport(const PrintCheck& check, std::size_t notMapped);
 
 JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped);
 

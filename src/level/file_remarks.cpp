@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "level/json_places.h"
-
 namespace anamorph {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "level/json.h"
+#include "level/json_places.h"
 
 namespace anamorph {
 

@@ -1,7 +1,5 @@
 #include "panels/help_buttons.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -64,14 +62,10 @@ void startSearch(Editor& editor, const char* name, Search search) {
       });
 }
 
-// How far the job is, and a way to stop it; whether it runs.
-bool jobProgress(Editor& editor) {
+// How far the job is, which the status line can cancel; whether it runs.
+bool jobProgress(const Editor& editor) {
   if (!editor.job.busy()) return false;
-  const float width = ImGui::CalcTextSize(tr("Cancel")).x + 3 * ImGui::GetStyle().FramePadding.x;
-  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {-width - ImGui::GetStyle().ItemSpacing.x, 0},
-                     editor.job.name().c_str());
-  ImGui::SameLine();
-  if (ImGui::Button(tr("Cancel"), {-FLT_MIN, 0})) editor.job.cancel();
+  ImGui::ProgressBar(static_cast<float>(editor.job.fraction()), {-FLT_MIN, 0}, editor.job.name().c_str());
   return true;
 }
 

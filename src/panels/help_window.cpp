@@ -84,7 +84,9 @@ void wordRows(const UiState& ui) {
   row("sculpture, S",
       "The deformed object, and the vertex made for P: from Q along the reflected ray, k times as far as P "
       "is behind Q");
-  row("depth scale k", "How far out the sculpture reaches; from the eye every k looks the same");
+  row("depth scale k",
+      "How far out the sculpture reaches; seen from the eye it changes nothing, as long as nothing hides "
+      "anything");
   row("match", "How well the reflection agrees with the original seen directly");
   ImGui::EndTable();
 }

@@ -31,12 +31,13 @@ void startHighlight(Highlight& highlight, const std::string& control, const Less
   highlight.control = control;
   highlight.seconds = control.empty() ? 0 : highlightSeconds;
   highlight.step = openStepOf(run);
-  highlight.scrolled = false;
+  highlight.moving = highlight.scrolled = false;
   highlight.frames = 0;
 }
 
 void advanceHighlight(Highlight& highlight, const LessonRun& run, double seconds) {
-  highlight.seconds = highlight.step == openStepOf(run) ? std::max(0.0, highlight.seconds - seconds) : 0;
+  const bool isOver = highlight.step != openStepOf(run) || (highlight.moving && !run.play);
+  highlight.seconds = isOver ? 0 : std::max(0.0, highlight.seconds - seconds);
   if (highlight.seconds == 0) highlight.control.clear();
   ++highlight.frames;
 }

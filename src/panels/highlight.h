@@ -16,6 +16,7 @@ struct Highlight {
   std::string control;    ///< its English name; empty: none
   double seconds = 0;     ///< that are left
   StepOfLesson step;      ///< that asked for it: it ends with it
+  bool moving = false;    ///< it ends with the move of "Do it", too
   bool scrolled = false;  ///< it has been brought into view
   int frames = 0;         ///< since it is pointed at
   int outlined = 0;       ///< how often a control has been, for tests
@@ -23,7 +24,7 @@ struct Highlight {
 
 /// Begins to point at a control of the open step, for some seconds; "": at none.
 void startHighlight(Highlight& highlight, const std::string& control, const LessonRun& run);
-/// Goes on by `seconds`; ends with its time, and when another step opens.
+/// Goes on by `seconds`; ends with its time, with the move that it belongs to, and when another step opens.
 void advanceHighlight(Highlight& highlight, const LessonRun& run, double seconds);
 
 /// Lets the controls that are drawn while it lives find the highlight.

@@ -12,6 +12,9 @@
 //   +--------+----------------------+--------------+
 //   | status                                       |
 //   +----------------------------------------------+
+//
+// For an audience there are the view, the preview beside it, and a strip below both for the words. All borders are at
+// whole pixels, so that nothing shines through between two panels.
 #pragma once
 
 namespace anamorph {
@@ -34,6 +37,7 @@ struct Rect {
 /// Panels that are not shown have an empty rectangle.
 struct Layout {
   Rect menu, left, lesson, view, properties, preview, status;
+  Rect words;                 ///< of the open step, for an audience
   bool levelsFolded = false;  ///< the level list is one line, its heading
 
   bool operator==(const Layout&) const = default;
@@ -44,10 +48,12 @@ struct LayoutInput {
   float scale = 1;
   float leftWidth = 0, rightWidth = 0, previewHeight = 0;  ///< at scale 1
   bool panelsHidden = false;
+  bool presenting = false;       ///< hidden panels leave the preview
   bool previewExpanded = false;  ///< the preview takes half of the window
   int levels = 0;                ///< rows of the level list
   bool lessonRuns = false;
   bool levelsOpen = false;  ///< the list was unfolded by hand
+  float wordsHeight = 0;    ///< pixels that the words for an audience need; 0: there are none
 };
 
 Layout makeLayout(const LayoutInput& input);

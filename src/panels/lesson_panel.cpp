@@ -1,5 +1,9 @@
 // The lesson of the open level: one step at a time, with what to do and a way on.
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -45,17 +49,41 @@ void button(Action action, const char* name, const char* help, float width, bool
   if (pressed) perform(action, editor, ui);
 }
 
+constexpr Action helpers[] = {Action::pointAtStep, Action::playStep, Action::restartStep};
+
+const char* nameOf(Action action) {
+  return action == Action::restartStep ? "Again" : rowOf(action).name;
+}
+
+int helperColumns() {
+  std::vector<const char*> names;
+  for (const Action action : helpers) names.push_back(nameOf(action));
+  return columnsFor(names, static_cast<int>(names.size()), ImGui::GetStyle().ItemSpacing.x);
+}
+
+float buttonsHeight() {
+  const int rows = helperColumns() == 3 ? 2 : 3;
+  return static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+}
+
+void drawHelpers(Editor& editor, UiState& ui) {
+  const int columns = helperColumns();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) /
+                      static_cast<float>(columns);
+  int i = 0;
+  for (const Action action : helpers) {
+    if (i++ % columns != 0) ImGui::SameLine();
+    button(action, nameOf(action), rowOf(action).help, width, false, editor, ui);
+  }
+}
+
 void drawButtons(Editor& editor, UiState& ui) {
   const LessonRun& run = editor.lesson;
   const bool last = run.step + 1 == run.lesson.steps.size(), reads = isOnlyRead(run.open());
   const bool readLast = last && reads && !run.done, onward = run.done || reads, done = run.done;
-  const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
-  const float half = (room - gap) / 2, third = (room - 2 * gap) / 3;
-  for (const Action action : {Action::pointAtStep, Action::playStep}) {
-    button(action, rowOf(action).name, rowOf(action).help, third, false, editor, ui);
-    ImGui::SameLine();
-  }
-  button(Action::restartStep, "Again", rowOf(Action::restartStep).help, third, false, editor, ui);
+  drawHelpers(editor, ui);
+  const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   button(Action::previousStep, "Back", "The step before.", half, false, editor, ui);
   ImGui::SameLine();
   if (last && !readLast) return button(Action::nextLevel, "Next level", "", half, done, editor, ui);
@@ -79,18 +107,24 @@ void drawBadge(const Editor& editor, const UiState& ui) {
   quietText(ui, run.lesson.badge.text.c_str());
 }
 
+// What to do must not be out of sight: where not all of the text has room, it stands below what scrolls.
 void drawLesson(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
   drawHead(editor, ui);
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float buttons = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y;
-  ImGui::BeginChild("step", {0, std::max(40.0f, ImGui::GetContentRegionAvail().y - buttons)}, false,
-                    ImGuiWindowFlags_NavFlattened);
-  scrollToStep(ui.lessonScroll, editor.lesson);
-  title(ui, editor.lesson.open().title);
-  drawStepText(editor, ui);
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float height = std::max(40.0f, room.y - buttonsHeight());
+  const bool isOpen = !run.done && isAnswered(run), pinned = ui.lessonScroll.taskPinned && isOpen;
+  const float task = pinned ? std::min(taskHeight(run, ui, room.x), height / 2) : 0;
+  ImGui::BeginChild("step", {0, height - task}, false, ImGuiWindowFlags_NavFlattened);
+  scrollToStep(ui.lessonScroll, run);
+  title(ui, run.open().title);
+  drawStepText(editor, ui, !pinned);
   drawBadge(editor, ui);
   scrollToNotice(ui.lessonScroll);  // which must not appear below the edge
+  const float needed = ImGui::GetCursorPosY() + task;
   ImGui::EndChild();
+  if (pinned) drawTask(run, ui);
+  ui.lessonScroll.taskPinned = isOpen && needed > height + ImGui::GetStyle().ItemSpacing.y;
   drawButtons(editor, ui);
 }
 

@@ -7,9 +7,10 @@
 namespace anamorph {
 
 struct LessonScroll {
-  StepOfLesson step;       ///< as it was drawn last, and
-  bool done = false;       ///< whether it was done then
-  int framesToNotice = 0;  ///< for which the end of the text is still to be brought into view
+  StepOfLesson step;        ///< as it was drawn last, and
+  bool done = false;        ///< whether it was done then
+  int framesToNotice = 0;   ///< for which the end of the text is still to be brought into view
+  bool taskPinned = false;  ///< not all of the text fits: what to do stands below it and does not scroll
 };
 
 /// To be called inside the window that scrolls, before its text is drawn.

@@ -17,9 +17,13 @@
 namespace anamorph {
 namespace {
 
+float barInset(const Look& look) {
+  return 11 * static_cast<float>(look.scale);
+}
+
 // Text beside a bar of some colour.
 void barred(const std::string& text, const ImVec4& color, LongTexts& texts, const Look& look) {
-  const float s = static_cast<float>(look.scale), inset = 11 * s;
+  const float s = static_cast<float>(look.scale), inset = barInset(look);
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::Indent(inset);
   texts.draw(text);
@@ -60,10 +64,17 @@ void drawQuestion(Editor& editor, UiState& ui) {
 
 }  // namespace
 
-void drawStepText(Editor& editor, UiState& ui) {
+void drawTask(const LessonRun& run, UiState& ui) {
+  barred(run.open().task, run.done ? ink::good(ui.theme) : ink::accent(ui.theme), ui.longTexts, ui);
+}
+
+float taskHeight(const LessonRun& run, const Look& look, float width) {
+  return paragraphHeight(tr(run.open().task), width - barInset(look)) + ImGui::GetStyle().ItemSpacing.y;
+}
+
+void drawStepText(Editor& editor, UiState& ui, bool withTask) {
   const LessonRun& run = editor.lesson;
   const LessonStep& step = run.open();
-  const ImVec4 done = ink::good(ui.theme), open = ink::accent(ui.theme);
   const auto gap = [] { ImGui::Dummy({0, ImGui::GetStyle().ItemSpacing.y / 2}); };
   ui.longTexts.draw(step.why);
   gap();
@@ -71,10 +82,10 @@ void drawStepText(Editor& editor, UiState& ui) {
   offerStart(editor, ui);
   drawQuestion(editor, ui);
   if (!isAnswered(run)) return;
-  barred(step.task, run.done ? done : open, ui.longTexts, ui);
+  if (withTask) drawTask(run, ui);
   if (!run.done || step.notice.empty()) return;
   gap();
-  barred(step.notice, done, ui.longTexts, ui);
+  barred(step.notice, ink::good(ui.theme), ui.longTexts, ui);
 }
 
 void drawStepDots(Editor& editor, const Look& look) {
@@ -135,6 +146,7 @@ void pointAtStep(Editor& editor, UiState& ui) {
 void doStep(Editor& editor, UiState& ui) {
   pointAtStep(editor, ui);
   playStep(editor);
+  ui.highlight.moving = true;
 }
 
 }  // namespace anamorph

@@ -7,8 +7,11 @@
 namespace anamorph {
 
 /// Why, the figure, what is asked, what to do once that is answered, and what to notice once it is done; in the current
-/// font, wrapped.
-void drawStepText(Editor& editor, UiState& ui);
+/// font, wrapped. Without what to do when `withTask` is false.
+void drawStepText(Editor& editor, UiState& ui, bool withTask);
+/// What to do, beside a bar; and how high that is at a width, in pixels.
+void drawTask(const LessonRun& run, UiState& ui);
+float taskHeight(const LessonRun& run, const Look& look, float width);
 
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
 void drawStepDots(Editor& editor, const Look& look);

@@ -9,25 +9,13 @@
 
 #include "base/language.h"
 #include "base/text.h"
+#include "panels/number_breaks.h"
 
 namespace anamorph {
 namespace {
 
 constexpr std::size_t mostLayouts = 16;
 constexpr std::size_t mostLineBytes = 4096;  // letters without a width would make one line of all
-
-std::string withPercentSigns(const std::string& source) {
-  std::string text;
-  text.reserve(source.size());
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    if (source.compare(i, 2, " %") == 0) {
-      text += "\u00a0";
-    } else {
-      text += source[i];
-    }
-  }
-  return text;
-}
 
 // The part of a paragraph that goes into one line; at least a character.
 std::string_view firstLine(std::string_view paragraph, const ImFont& font, float scale, float width) {
@@ -72,7 +60,7 @@ const LongTexts::Layout& LongTexts::layoutOf(std::string source) {
     return layouts_.front();
   }
   if (layouts_.size() == mostLayouts) layouts_.pop_back();
-  std::string text = withPercentSigns(source);
+  std::string text = numbersTogether(source);
   layouts_.push_front({std::move(source), std::move(text), font, size, width, {}});
   wrap(layouts_.front());
   return layouts_.front();

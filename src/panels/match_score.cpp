@@ -57,31 +57,32 @@ MatchScore matchScore(const LevelResult& result) {
   score.fraction = report.silhouetteIou;
   // While something moves the picture compared is coarse, and so is the figure.
   score.percent = percent(report.silhouetteIou, result.refined ? 2 : 1);
-  score.word = result.refined ? matchGradeName(grade) : "live";
-  score.tone = toneOf(grade);
+  score.word = result.complete ? matchGradeName(grade) : result.refined ? "being measured" : "live";
+  // A colour is a verdict, and there is none before it is measured anew.
+  score.tone = result.complete ? toneOf(grade) : MatchScore::Tone::unknown;
   score.help = findMatchProblem(report).value_or(
       "How well the reflection agrees with the original seen directly: the "
       "share of pixels that both show.");
   if (grade == MatchGrade::tooSmall) score.percent = "-";
+  // What the lessons speak of comes first: where there is little room, the others are left to the tooltip.
   score.parts = {
-      {"Silhouette", percent(report.silhouetteIou), report.contourPx <= good.contourPx,
-       "Pixels that original and reflection both show, of those that either shows (IoU)."},
-      {"Outline", contourText(report.contourPx), report.contourPx <= good.contourPx,
-       "How far the outlines of original and reflection are apart; 99 of 100 points of them are nearer."},
-      {"Point error", report.comparedPixels > 0 ? shownFormat("{:.2f} px", report.p99Px) : "-",
-       report.comparedPixels > 0 && report.p99Px <= good.p99Px,
-       "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
       {"Hidden", shownFormat("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,
        "Of the original's pixels: the sculpture itself or the floor stands in the way. Raise the eye, or the "
        "original."},
+      {"Point error", report.comparedPixels > 0 ? shownFormat("{:.2f} px", report.p99Px) : "-",
+       report.comparedPixels > 0 && report.p99Px <= good.p99Px,
+       "Correspondence: how far a reflected point is from where it should be; 99 of 100 points are nearer."},
       {"Missed", shownFormat("{:.1f} %", 100 * report.missedShare), report.missedShare == 0,
        "Of the original's pixels: there is no mirror. Make the mirror larger or move the original."},
       {"Folded", shownFormat("{:.1f} %", 100 * report.foldedShare), report.foldedShare == 0,
        "Of the original: neighbouring rays have crossed before they reach this part of the sculpture, so it "
-       "is left "
-       "out. Stay nearer to the mirror, or go beyond with the depth offset."},
+       "is left out. Stay nearer to the mirror, or go beyond with the depth offset."},
+      {"Outline", contourText(report.contourPx), report.contourPx <= good.contourPx,
+       "How far the outlines of original and reflection are apart; 99 of 100 points of them are nearer."},
       {"Beside", shownFormat("{:.1f} %", 100 * report.extraShare), report.extraShare <= good.extraShare,
        "Pixels that show the sculpture beside the original, over the original's pixels."},
+      {"Silhouette", percent(report.silhouetteIou), report.contourPx <= good.contourPx,
+       "Pixels that original and reflection both show, of those that either shows (IoU)."},
   };
   return score;
 }

@@ -120,19 +120,33 @@ void smallButton(Action action, Editor& editor, UiState& ui) {
   ImGui::EndDisabled();
 }
 
+float widthOfSmallButton(Action action) {
+  return ImGui::CalcTextSize(tr(rowOf(action).name)).x + 2 * ImGui::GetStyle().FramePadding.x +
+         ImGui::GetStyle().ItemSpacing.x;
+}
+
+// The match with its word, and the buttons before it; in a narrow window what is worth most of that.
 void rightEnd(Editor& editor, UiState& ui, const MatchScore& score) {
-  const std::string text = scoreText(score);
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float undo = ImGui::CalcTextSize(tr("Undo")).x + 2 * style.FramePadding.x;
-  const float redo = ImGui::CalcTextSize(tr("Redo")).x + 2 * style.FramePadding.x;
-  const float width = ImGui::CalcTextSize(text.c_str()).x + undo + redo + 4 * style.ItemSpacing.x;
-  const float x = ImGui::GetWindowWidth() - width - style.WindowPadding.x;
-  if (x < ImGui::GetCursorPosX()) return;
-  ImGui::SetCursorPosX(x);
-  smallButton(Action::undo, editor, ui);
-  smallButton(Action::redo, editor, ui);
-  ImGui::TextColored(scoreColor(score, ui.theme), "%s", text.c_str());
-  tooltip(score.help.c_str());
+  const float end = ImGui::GetWindowWidth() - style.WindowPadding.x - 2 * style.ItemSpacing.x;
+  const float buttons = widthOfSmallButton(Action::undo) + widthOfSmallButton(Action::redo);
+  struct Choice {
+    bool buttons;
+    std::string text;
+  };
+  const Choice choices[] = {{true, scoreText(score)}, {true, score.percent}, {false, score.percent}};
+  for (const Choice& choice : choices) {
+    const float width = ImGui::CalcTextSize(choice.text.c_str()).x + (choice.buttons ? buttons : 0);
+    if (end - width < ImGui::GetCursorPosX()) continue;
+    ImGui::SetCursorPosX(end - width);
+    if (choice.buttons) {
+      smallButton(Action::undo, editor, ui);
+      smallButton(Action::redo, editor, ui);
+    }
+    ImGui::TextColored(scoreColor(score, ui.theme), "%s", choice.text.c_str());
+    tooltip(score.help.c_str());
+    return;
+  }
 }
 
 }  // namespace

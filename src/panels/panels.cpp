@@ -58,7 +58,7 @@ void drawSplitters(UiState& ui) {
              {l.properties.x - t / 2, l.properties.y, t, l.properties.height + l.preview.height}, true,
              p.rightWidth, -1, smallestRight, 900);
   }
-  if (!l.preview.empty()) {
+  if (!l.preview.empty() && !l.properties.empty()) {
     splitter(ui, "##split-preview", {l.preview.x, l.preview.y - t / 2, l.preview.width, t}, false,
              p.previewHeight, -1, 220, 1400);
   }
@@ -91,10 +91,19 @@ void finishChange(Editor& editor, const UiState& ui) {
 void handleInput(Editor& editor, UiState& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const Preferences& p = ui.preferences;
-  ui.layout = makeLayout({display.x, display.y, static_cast<float>(ui.scale), static_cast<float>(p.leftWidth),
-                          static_cast<float>(p.rightWidth), static_cast<float>(p.previewHeight),
-                          ui.panelsHidden, editor.preview.expanded, static_cast<int>(ui.levels.size()),
-                          !editor.lesson.empty(), ui.levelsOpen});
+  ui.layout = makeLayout({.width = display.x,
+                          .height = display.y,
+                          .scale = static_cast<float>(ui.scale),
+                          .leftWidth = static_cast<float>(p.leftWidth),
+                          .rightWidth = static_cast<float>(p.rightWidth),
+                          .previewHeight = static_cast<float>(p.previewHeight),
+                          .panelsHidden = ui.panelsHidden,
+                          .presenting = ui.presenting,
+                          .previewExpanded = editor.preview.expanded,
+                          .levels = static_cast<int>(ui.levels.size()),
+                          .lessonRuns = !editor.lesson.empty(),
+                          .levelsOpen = ui.levelsOpen,
+                          .wordsHeight = presenterHeight(editor, ui)});
   updateKeyFocus(ui.keyFocus, reachableWindows(ui), isDialogOpen(ui));
   // How many frames a picture of the window takes differs from run to run: there it stands still.
   const double seconds = ui.headless ? 0 : static_cast<double>(ImGui::GetIO().DeltaTime);

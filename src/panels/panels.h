@@ -27,6 +27,9 @@ void drawStatusLine(Editor& editor, UiState& ui);
 void drawHelpWindow(Editor& editor, UiState& ui);
 /// The open step in large letters, and a mark around the mouse: for an audience.
 void drawPresenter(Editor& editor, UiState& ui);
+/// Pixels that those letters need at the window's width, the same before and after the step is done; 0 when nothing is
+/// presented.
+float presenterHeight(const Editor& editor, const UiState& ui);
 
 // The tabs of the properties panel.
 void drawEyeProperties(Editor& editor, UiState& ui);

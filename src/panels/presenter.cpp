@@ -1,14 +1,14 @@
-// For an audience: the open step at the bottom of the view in large letters, and a ring around the mouse.
+// For an audience: the open step below the view in large letters, and a ring around the mouse.
 
 #include <algorithm>
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include "base/language.h"
 #include "panels/lesson_text.h"
 #include "panels/panels.h"
 #include "panels/style.h"
+#include "panels/widgets.h"
 
 namespace anamorph {
 namespace {
@@ -21,6 +21,11 @@ void drawMouseMark(const UiState& ui) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   list->AddCircleFilled(mouse, (down ? 18 : 24) * s, ink::of(palette::mouseDisc, down ? 120 : 70));
   list->AddCircle(mouse, (down ? 18 : 24) * s, ink::of(palette::mouseRing, 230), 0, 2.5f * s);
+}
+
+ImVec2 paddingOf(const UiState& ui) {
+  const float s = static_cast<float>(ui.scale);
+  return {20 * s, 12 * s};
 }
 
 void words(const LessonRun& run, UiState& ui) {
@@ -39,24 +44,31 @@ void words(const LessonRun& run, UiState& ui) {
 
 }  // namespace
 
+float presenterHeight(const Editor& editor, const UiState& ui) {
+  if (!ui.presenting || editor.lesson.empty()) return 0;
+  const LessonStep& step = editor.lesson.open();
+  const ImVec2 padding = paddingOf(ui);
+  const float width = ImGui::GetIO().DisplaySize.x - 2 * padding.x;
+  float text = 0;
+  {
+    const FontScope huge(ui.fonts.huge);
+    for (const std::string* words :
+         {&step.task, &step.notice, step.question ? &step.question->text : nullptr})
+      if (words) text = std::max(text, paragraphHeight(tr(*words), width));
+  }
+  const FontScope strong(ui.fonts.strong);
+  return text + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y + 2 * padding.y;
+}
+
 void drawPresenter(Editor& editor, UiState& ui) {
   if (!ui.presenting) return;
   drawMouseMark(ui);
-  if (editor.lesson.empty()) return;
-  const Rect& view = ui.layout.view;
-  const float s = static_cast<float>(ui.scale), width = std::min(view.width - 40 * s, 1000 * s);
-  ImGui::SetNextWindowPos({view.x + view.width / 2, view.y + view.height - 58 * s}, ImGuiCond_Always,
-                          {0.5f, 1});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::SetNextWindowBgAlpha(0.88f);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * s);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * s, 14 * s});
-  ImGui::Begin("##presenter", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
-  words(editor.lesson, ui);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, paddingOf(ui));
+  if (!editor.lesson.empty() && beginPanel("##presenter", ui.layout.words)) {
+    words(editor.lesson, ui);
+    ImGui::End();
+  }
+  ImGui::PopStyleVar();
 }
 
 }  // namespace anamorph

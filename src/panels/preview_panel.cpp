@@ -24,12 +24,12 @@ ImTextureID idOf(const UiTexture& texture) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id));
 }
 
-// The largest rectangle of the image's proportions in what is left of the panel.
+// The largest rectangle of the image's proportions in the middle of what is left of the panel.
 Rect imageRect(const PixelGrid& grid, const ImVec2& at, const ImVec2& room) {
   const float aspect = static_cast<float>(grid.columns) / static_cast<float>(grid.rows);
   const float width = std::max(1.0f, std::min(room.x, room.y * aspect)),
               height = std::max(1.0f, width / aspect);
-  return {at.x + (room.x - width) / 2, at.y, width, height};
+  return {at.x + (room.x - width) / 2, at.y + (room.y - height) / 2, width, height};
 }
 
 void drawPicture(const UiTexture& texture, const Rect& r, float from = 0, float to = 1) {
@@ -99,8 +99,8 @@ void drawImages(Editor& editor, UiState& ui, const Rect& r) {
   if (editor.cell) drawCell(r, grid, *editor.cell, ink::of(palette::chosenCell), 2.5f);
 }
 
-// `parts`: they are shown below; else the tooltip has them.
-void scoreBar(const UiState& ui, const MatchScore& score, bool parts) {
+// The tooltip has the parts that are not among the first `parts`, which are shown below.
+void scoreBar(const UiState& ui, const MatchScore& score, std::size_t parts) {
   const float height = ImGui::GetFrameHeight();
   const ImVec2 p = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -113,32 +113,42 @@ void scoreBar(const UiState& ui, const MatchScore& score, bool parts) {
   if (filled > 1)
     list->AddRectFilled(p, {p.x + filled, p.y + height}, ImGui::ColorConvertFloat4ToU32(fill), rounding);
   const std::string text = scoreText(score);
-  list->AddText({p.x + ImGui::GetStyle().FramePadding.x, p.y + (height - ImGui::GetFontSize()) / 2},
-                ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  const ImVec2 at{p.x + ImGui::GetStyle().FramePadding.x, p.y + (height - ImGui::GetFontSize()) / 2};
+  list->PushClipRect(p, {p.x + width, p.y + height}, true);
+  list->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  list->PopClipRect();
   ImGui::Dummy({width, height});
   std::string help = tr(score.help.c_str());
-  for (const MatchPart& part : score.parts) {
-    if (!parts) help += fmt::format("\n{}: {}", tr(part.name), part.value);
-  }
+  for (std::size_t i = parts; i < score.parts.size(); ++i)
+    help += fmt::format("\n{}: {}", tr(score.parts[i].name), score.parts[i].value);
   tooltip(help.c_str());
 }
 
-// In a small panel the picture is worth more than the parts of the score, which its tooltip has too.
-bool havePartsRoom(const UiState& ui, const MatchScore& score, const ImVec2& room) {
-  if (room.y < 270 * static_cast<float>(ui.scale)) return false;
-  const float gap = 2 * ImGui::GetStyle().CellPadding.x;
-  const float width = room.x / static_cast<float>(std::max<std::size_t>(1, score.parts.size())) - gap;
-  return std::all_of(score.parts.begin(), score.parts.end(),
-                     [&](const MatchPart& part) { return ImGui::CalcTextSize(tr(part.name)).x <= width; });
+float widthOf(const MatchPart& part) {
+  return ImGui::CalcTextSize(tr(part.name)).x + ImGui::GetStyle().ItemInnerSpacing.x +
+         ImGui::CalcTextSize(part.value.c_str()).x;
 }
 
-void scoreParts(const UiState& ui, const MatchScore& score) {
-  if (score.parts.empty()) return;
-  if (!ImGui::BeginTable("parts", static_cast<int>(score.parts.size()))) return;
-  for (const MatchPart& part : score.parts) {
-    ImGui::TableNextColumn();
+// How many of the parts stand side by side; in a low panel the picture is worth more than any.
+std::size_t shownParts(const UiState& ui, const MatchScore& score, const ImVec2& room) {
+  if (room.y < 200 * static_cast<float>(ui.scale)) return 0;
+  float left = room.x;
+  std::size_t count = 0;
+  for (; count < score.parts.size(); ++count) {
+    left -= widthOf(score.parts[count]);
+    if (left < 0) break;
+    left -= 2 * ImGui::GetStyle().ItemSpacing.x;
+  }
+  return count;
+}
+
+void scoreParts(const UiState& ui, const MatchScore& score, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const MatchPart& part = score.parts[i];
+    if (i > 0) ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginGroup();
-    quietText(ui, part.name);
+    ImGui::TextColored(ink::quiet(ui.theme), "%s", tr(part.name));
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::TextColored(part.good ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::bad(ui.theme), "%s",
                        part.value.c_str());
     ImGui::EndGroup();
@@ -146,7 +156,6 @@ void scoreParts(const UiState& ui, const MatchScore& score) {
     tooltip(part.help);
     ImGui::PopID();
   }
-  ImGui::EndTable();
 }
 
 void sizeAndRender(Editor& editor, UiState& ui) {
@@ -182,18 +191,18 @@ void drawPreviewPanel(Editor& editor, UiState& ui, const MatchScore& score) {
   }
   const ImGuiStyle& style = ImGui::GetStyle();
   ImVec2 room = ImGui::GetContentRegionAvail();
-  const bool parts = havePartsRoom(ui, score, room);
+  const std::size_t parts = shownParts(ui, score, room);
   std::optional<DifferenceLegend> legend;
   if (editor.preview.tab == PreviewTab::difference) legend.emplace(reflects, room.x);
   float below = 2 * ImGui::GetFrameHeight() + 3 * style.ItemSpacing.y + (legend ? legend->height() : 0);
-  if (parts) below += 2 * (ImGui::GetTextLineHeight() + style.ItemSpacing.y + style.CellPadding.y);
+  if (parts > 0) below += ImGui::GetTextLineHeight() + style.ItemSpacing.y;
   room.y = std::max(1.0f, room.y - below);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   drawImages(editor, ui, imageRect(editor.session.level().grid, at, room));
   ImGui::SetCursorScreenPos({at.x, at.y + room.y + style.ItemSpacing.y});
   if (legend) legend->draw();
   scoreBar(ui, score, parts);
-  if (parts) scoreParts(ui, score);
+  scoreParts(ui, score, parts);
   sizeAndRender(editor, ui);
   ImGui::End();
 }

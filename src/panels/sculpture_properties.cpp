@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "base/count.h"
 #include "base/language.h"
 #include "panels/highlight.h"
 #include "panels/material_rows.h"
@@ -34,9 +35,10 @@ bool deformationRows(SculptureSettings& sculpture) {
   const bool frozen = sculpture.frozen.has_value();
   double& depthScale = frozen ? sculpture.frozen->depthScale : sculpture.depthScale;
   ImGui::BeginDisabled(frozen);
-  bool changed = sliderRow(
-      "Depth scale k", depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
-      "S lies k times as far from the mirror as P does. From the eye every k looks the same.", true);
+  bool changed = sliderRow("Depth scale k", depthScale, {limits::depthScale.panel, 0.01, "%.2f"},
+                           "S lies k times as far from the mirror as P does. Seen from the eye that changes "
+                           "nothing, as long as nothing hides anything.",
+                           true);
   double& depthOffset = frozen ? sculpture.frozen->depthOffset : sculpture.depthOffset;
   const bool moved =
       sliderRow("Depth offset", depthOffset, {limits::depthOffset.panel, 0.02, "%.2f"},
@@ -96,7 +98,8 @@ void resultRows(const Editor& editor) {
     textRow("Size", shownFormat("{:.2f} x {:.2f} x {:.2f}", size.x, size.y, size.z),
             "Of its box, scene units.");
   }
-  textRow("Mesh", trFormat("{} vertices, {} triangles", mesh.positions.size(), mesh.triangles.size()));
+  textRow("Mesh", countOf(mesh.positions.size(), "vertex", "vertices") + ", " +
+                      countOf(mesh.triangles.size(), "triangle", "triangles"));
   textRow("Vertices", shownStatus(result.sculpture.sculpture->originalStatus),
           "What became of the original's own vertices.");
 }

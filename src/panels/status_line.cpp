@@ -1,13 +1,16 @@
 // The status line: what happened last, what is being computed, how large and how fast everything is.
 
+#include <algorithm>
 #include <string>
 
 #include <imgui.h>
 
+#include "base/count.h"
 #include "base/language.h"
 #include "panels/panels.h"
 #include "panels/state_words.h"
 #include "panels/style.h"
+#include "panels/view_windows.h"
 #include "panels/widgets.h"
 
 namespace anamorph {
@@ -17,17 +20,27 @@ std::string figures(const UiState& ui, const LevelResult& result) {
   std::string text;
   if (result.sculpture.sculpture) {
     const Mesh& mesh = result.sculpture.sculpture->mesh;
-    text = trFormat("{} vertices  {} triangles", mesh.positions.size(), mesh.triangles.size());
+    text = countOf(mesh.positions.size(), "vertex", "vertices") + "  " +
+           countOf(mesh.triangles.size(), "triangle", "triangles");
   }
   if (!ui.headless) text += shownFormat("   {:.0f} ms", ui.frameMilliseconds);
   return text;
 }
 
+// Dear ImGui's own bar would push the words beside it down by its padding.
+void bar(double fraction, const UiState& ui) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(),
+               size{110 * static_cast<float>(ui.scale), ImGui::GetTextLineHeight()};
+  const float filled = size.x * static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(low, {low.x + size.x, low.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  list->AddRectFilled(low, {low.x + filled, low.y + size.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram));
+  ImGui::Dummy(size);
+}
+
 void progress(Editor& editor, const UiState& ui) {
-  const float s = static_cast<float>(ui.scale);
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(editor.updater.fraction()), {110 * s, ImGui::GetTextLineHeight()},
-                     "");
+  bar(editor.updater.fraction(), ui);
   ImGui::SameLine();
   if (ImGui::SmallButton(tr("Cancel"))) editor.updater.cancel();
 }
@@ -51,11 +64,10 @@ void savingProgress(const Editor& editor, const UiState& ui) {
 
 // Of something else that is being made. Returns whether it is to be cancelled.
 bool jobProgress(const char* name, double fraction, const UiState& ui) {
-  const float s = static_cast<float>(ui.scale);
-  ImGui::SameLine(0, 24 * s);
+  ImGui::SameLine(0, 24 * static_cast<float>(ui.scale));
   ImGui::TextUnformatted(name);
   ImGui::SameLine();
-  ImGui::ProgressBar(static_cast<float>(fraction), {110 * s, ImGui::GetTextLineHeight()}, "");
+  bar(fraction, ui);
   ImGui::SameLine();
   ImGui::PushID(name);
   const bool cancel = ImGui::SmallButton(tr("Cancel"));
@@ -83,9 +95,12 @@ std::string elided(const std::string& text, float room) {
   return std::string(begin, rest) + more;
 }
 
-// `right`: to where there is room, in the window.
-void drawMessage(const Editor& editor, const UiState& ui, const std::string& message, float right) {
+// `right`: to where there is room, in the window. What is said and has no room there stands above it, until it has been
+// read: the end of a long message is what to do.
+void drawMessage(Editor& editor, const UiState& ui, const std::string& message, float right) {
   const bool isSaid = !editor.status.text().empty();
+  if (isSaid && ImGui::CalcTextSize(message.c_str()).x > right - ImGui::GetCursorPosX())
+    return drawLongMessage(editor, ui);
   const ImVec4 color = isSaid ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : ink::middling(ui.theme);
   ImGui::TextColored(color, "%s", elided(message, right - ImGui::GetCursorPosX()).c_str());
   tooltip(capitalised(message).c_str());

@@ -11,6 +11,7 @@
 
 #include <imgui.h>
 
+#include "edit/lesson_run.h"
 #include "panels/highlight.h"
 #include "panels/panels.h"
 #include "panels/style.h"
@@ -97,8 +98,11 @@ class Labels {
     return {p.x + 9 * ink_.scale(), p.y - size.y / 2, size.x, size.y};
   }
 
-  static bool overlap(const Rect& a, const Rect& b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+  // Or nearly touch each other.
+  bool overlap(const Rect& a, const Rect& b) const {
+    const float gap = 2 * ink_.scale();
+    return a.x < b.x + b.width + gap && b.x < a.x + a.width + gap && a.y < b.y + b.height + gap &&
+           b.y < a.y + a.height + gap;
   }
 
   const Ink& ink_;
@@ -228,6 +232,21 @@ void drawImageFrame(const Ink& ink, const Editor& editor, const Rect& rect) {
   list.AddRect({cx - w, cy - h}, {cx + w, cy + h}, IM_COL32(255, 255, 255, 150), 0, 0, 1.2f * ink.scale());
 }
 
+// The points that the open step's move picks; where it picks none, the view as a whole.
+void highlightView(const Ink& ink, const Editor& editor, const Rect& rect) {
+  const auto around = [](const ImVec2& low, const ImVec2& high, float by) {
+    highlightArea("3D view", {low.x - by, low.y - by}, {high.x + by, high.y + by});
+  };
+  bool anyPoint = false;
+  for (const Point& point : pointsOfMove(editor)) {
+    const auto pixel = ink.find(point);
+    if (!pixel) continue;
+    around(ink.at(*pixel), ink.at(*pixel), 8 * ink.scale());
+    anyPoint = true;
+  }
+  if (!anyPoint) around({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, -ImGui::GetFontSize());
+}
+
 void drawPicture(const UiTexture& picture, const Rect& rect) {
   if (picture.id == 0) return;
   const float top = picture.bottomUp ? 1.0f : 0.0f;
@@ -255,11 +274,9 @@ void drawView(Editor& editor, UiState& ui) {
   drawGizmo(ink, emphasised(shown.gizmo, ui.mouse.hoveredHandle.value_or(GizmoHandle::none)));
   if (const auto at = shown.label ? ink.find(shown.label->at) : std::nullopt)
     labels.draw(*at, shown.label->text, ink::of(palette::distanceLabel));
-  if (!ui.presenting && !ui.bare) drawAxes(ink, rect);  // presenting: the words are there
+  if (!ui.bare) drawAxes(ink, rect);
   ink.list().PopClipRect();
-  const float inset = ImGui::GetFontSize();
-  highlightArea("3D view", {rect.x + inset, rect.y + inset},
-                {rect.x + rect.width - inset, rect.y + rect.height - inset});
+  highlightView(ink, editor, rect);
   ImGui::End();
   if (!(ui.headless && ui.panelsHidden)) drawViewButtons(editor, ui);
   drawProblem(editor, ui);

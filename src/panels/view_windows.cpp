@@ -186,6 +186,13 @@ void drawViewProblem(const UiState& ui) {
   ImGui::End();
 }
 
+void drawLongMessage(Editor& editor, const UiState& ui) {
+  beginFloating(ui, "##long-message", {0, 1}, 0.94f, 6);
+  paragraph(capitalised(editor.status.text()), wrapAt(ui, 480));
+  if (ImGui::Button(tr("OK"))) editor.status.clear();
+  ImGui::End();
+}
+
 void drawPausedRays(const Editor& editor, const UiState& ui) {
   if (!editor.rays.show || !editor.rays.animate || !editor.animationPaused) return;
   beginFloating(ui, "##paused", {0.5f, 0}, 0.72f, 6);
@@ -197,7 +204,11 @@ void drawLegend(const Editor& editor, const UiState& ui) {
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
   const auto add = [&](RayKind kind) { legendLine(ui, lookOf(kind).line); };
-  add(RayKind::camera);
+  // The vertex rays of a frozen sculpture begin at the point that it was made for.
+  LineLook camera = lookOf(RayKind::camera).line;
+  if (editor.session.level().sculpture.frozen && editor.rays.source == RaySource::vertices)
+    camera.legend = "from where the eye was";
+  legendLine(ui, camera);
   const bool reflects = isVisible(editor.session.level().optic);
   if (reflects) add(RayKind::reflected);
   if (editor.point && reflects) legendLine(ui, normalLook);

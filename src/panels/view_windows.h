@@ -14,6 +14,8 @@ void drawProblem(Editor& editor, UiState& ui);
 void drawViewSigns(Editor& editor, UiState& ui);
 /// What of the level the 3D view cannot show, in a corner of it; nothing when it shows all.
 void drawViewProblem(const UiState& ui);
+/// What was said last, in full, until it has been read: for words that have no room in the status line.
+void drawLongMessage(Editor& editor, const UiState& ui);
 /// That the rays stand still, and what lets them go on; nothing while they do not.
 void drawPausedRays(const Editor& editor, const UiState& ui);
 void drawLegend(const Editor& editor, const UiState& ui);

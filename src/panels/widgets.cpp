@@ -10,6 +10,7 @@
 #include "base/language.h"
 #include "base/text.h"
 #include "panels/highlight.h"
+#include "panels/number_breaks.h"
 #include "panels/number_text.h"
 #include "panels/style.h"
 #include "panels/typing_limit.h"
@@ -18,6 +19,7 @@ namespace anamorph {
 namespace {
 
 constexpr float nameFraction = 0.40f;             // of the width
+constexpr float mostNameFraction = 0.55f;         // for a longer name
 constexpr std::size_t mostParagraphBytes = 4000;  // Dear ImGui ends the program at 16384 letters
 
 // Outlines the row that begins here when it is pointed at.
@@ -32,12 +34,18 @@ void beginRow(const char* name, const char* help) {
   const float width = ImGui::GetContentRegionAvail().x;
   highlightRow(name, width);
   const float start = ImGui::GetCursorPosX();
+  const float nameWidth = ImGui::CalcTextSize(tr(name)).x + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(tr(name));
   tooltip(help);
+  const float column = std::max(nameFraction * width, nameWidth);
+  if (column > mostNameFraction * width) {  // the control has the next line for itself
+    ImGui::SetNextItemWidth(width);
+    return;
+  }
   ImGui::SameLine();
-  ImGui::SetCursorPosX(start + nameFraction * width);
-  ImGui::SetNextItemWidth((1 - nameFraction) * width);
+  ImGui::SetCursorPosX(start + column);
+  ImGui::SetNextItemWidth(width - column);
 }
 
 void endRow(const char* help) {
@@ -74,7 +82,10 @@ bool beginToolWindow(const Look& look, const char* english, const char* id, bool
                            fits ? ImGuiCond_Always : ImGuiCond_Appearing);
   const int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
   const std::string title = std::string(tr(english)) + id;
-  return ImGui::Begin(title.c_str(), &open, fits ? flags | ImGuiWindowFlags_NoResize : flags);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, std::round(s)));
+  const bool shown = ImGui::Begin(title.c_str(), &open, fits ? flags | ImGuiWindowFlags_NoResize : flags);
+  ImGui::PopStyleVar();
+  return shown;
 }
 
 bool section(const Look& look, const char* title, bool open) {
@@ -261,12 +272,13 @@ bool closePopups() {
 
 void paragraph(const std::string& text, float wrapAt) {
   ImGui::PushTextWrapPos(wrapAt);
-  ImGui::TextUnformatted(shortened(text, mostParagraphBytes).c_str());
+  ImGui::TextUnformatted(numbersTogether(shortened(text, mostParagraphBytes)).c_str());
   ImGui::PopTextWrapPos();
 }
 
 float paragraphHeight(const std::string& text, float width) {
-  return ImGui::CalcTextSize(shortened(text, mostParagraphBytes).c_str(), nullptr, false, width).y;
+  const std::string shown = numbersTogether(shortened(text, mostParagraphBytes));
+  return ImGui::CalcTextSize(shown.c_str(), nullptr, false, width).y;
 }
 
 std::string inOneLine(const std::string& text) {
@@ -311,7 +323,6 @@ bool fittedButton(const char* name, float width) {
   return pressed;
 }
 
-// How many columns, at most so many, have room for the longest name; the rows are about as long as each other.
 int columnsFor(const std::vector<const char*>& names, int columns, float gap) {
   float longest = 0;
   for (const char* name : names) longest = std::max(longest, ImGui::CalcTextSize(tr(name)).x);

@@ -89,6 +89,10 @@ bool wideButton(const char* name, const char* help = "", bool enabled = true);
 /// A button of this width whose text may come near to its border.
 bool fittedButton(const char* name, float width);
 
+/// How many columns, at most `columns`, have room for the longest of these names, so that all rows are about as long as
+/// each other.
+int columnsFor(const std::vector<const char*>& names, int columns, float gap);
+
 /// One of several choices side by side, as rows of buttons that fill the width; fewer columns where the names have no
 /// room.
 bool segmentedControl(const char* id, int& chosen, const std::vector<const char*>& names, int columns);

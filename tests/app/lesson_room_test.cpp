@@ -27,11 +27,18 @@ class LessonRoom : public GuiTest, public ::testing::WithParamInterface<Screen> 
  protected:
   // Pixels of the step's text that are out of sight.
   static float hidden() {
+    const ImGuiWindow* step = window();
+    if (!step) ADD_FAILURE() << "there is no step";
+    return step ? step->ScrollMax.y : 0;
+  }
+
+ public:
+  // In which the step's text is.
+  static const ImGuiWindow* window() {
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
-      if (std::string(window->Name).starts_with("lesson/step")) return window->ScrollMax.y;
+      if (std::string(window->Name).starts_with("lesson/step")) return window;
     }
-    ADD_FAILURE() << "there is no step";
-    return 0;
+    return nullptr;
   }
 };
 
@@ -65,6 +72,30 @@ INSTANTIATE_TEST_SUITE_P(Screens, LessonRoom,
                                            Screen{"LaptopInDutch", 1280, 800, 1, "nl"},
                                            Screen{"LargeScreen", 1920, 1080, 1, "en"}),
                          [](const auto& screen) { return screen.param.name; });
+
+// At twice the size not all of a step has room, but what to do is never below the edge.
+TEST_F(GuiTest, AtTwiceTheSizeTheTaskStaysInSight) {
+  if (!headless) return;
+  headless->resize(1280, 800);
+  ui().preferences.uiScale = 2;
+  for (const char* language : {"en", "nl"}) {
+    ui().preferences.language = language;
+    for (const LevelEntry& entry : listLevels(ANAMORPH_LEVELS)) {
+      gui().open(entry.path);
+      frames(2);
+      for (std::size_t i = 0; i < editor().lesson.lesson.steps.size(); ++i) {
+        SCOPED_TRACE(std::string(language) + ", " + entry.name + ", step " + std::to_string(i + 1));
+        openStep(editor(), i);
+        frames(4);
+        const ImGuiWindow* step = LessonRoom::window();
+        ASSERT_TRUE(step);
+        EXPECT_TRUE(step->ScrollMax.y == 0 || ui().lessonScroll.taskPinned || !isAnswered(editor().lesson));
+        EXPECT_GT(step->Size.y, 100) << "why is read above it";
+        EXPECT_LE(step->Pos.y + step->Size.y, 800);
+      }
+    }
+  }
+}
 
 TEST_F(GuiTest, RaysThatArePausedSaySoAndGoOnFromTheEndByBeginningAnew) {
   if (!headless) return;

@@ -95,7 +95,7 @@ TEST(FileFaults, ACommaTooManyHidesNoOther) {
   EXPECT_TRUE(faults[0].find("/optic") != std::string::npos) << faults[0];
   EXPECT_TRUE(faults[2].starts_with("l.json: line 2, column 14: expected another value after this comma"))
       << faults[2];
-  EXPECT_TRUE(faults[4].starts_with("l.json: line 2, column 31: expected another value after this comma"))
+  EXPECT_TRUE(faults[4].starts_with("l.json: line 2, column 32: expected another value after this comma"))
       << faults[4];
 }
 

@@ -92,8 +92,17 @@ TEST_F(LessonPanelTest, ShowMeOpensTheTabPointsAndMoves) {
   EXPECT_EQ(editor.session.level().sculpture.depthScale, 0.5);
   frames(2);
   EXPECT_TRUE(editor.lesson.done);
+  EXPECT_TRUE(ui.highlight.control.empty()) << "it stops pointing when the move is made";
+}
+
+TEST_F(LessonPanelTest, WherePointsForAWhileOnly) {
+  openLesson();
+  openStep(editor, 1);
+  handleKey('M', keys::shift, editor, ui);
+  for (int i = 0; i < 30; ++i) frame(0.1);
+  EXPECT_FALSE(ui.highlight.control.empty());
   for (int i = 0; i < 100; ++i) frame(0.1);
-  EXPECT_TRUE(ui.highlight.control.empty()) << "it stops pointing after a while";
+  EXPECT_TRUE(ui.highlight.control.empty());
 }
 
 TEST_F(LessonPanelTest, WhatShowMeDidIsOneStepBack) {
@@ -129,6 +138,9 @@ TEST_F(LessonPanelTest, KeysStepAndThePresenterTakesArrows) {
   handleKey(keys::f3, 0, editor, ui);
   frames(3);
   EXPECT_TRUE(ui.presenting && ui.panelsHidden);
+  EXPECT_FALSE(ui.layout.preview.empty()) << "steps ask for it";
+  EXPECT_GT(ui.layout.words.height, 50);
+  EXPECT_EQ(ui.layout.view.height + ui.layout.words.height, 800) << "nothing of the view is covered";
   handleKey(keys::right, 0, editor, ui);
   EXPECT_EQ(editor.lesson.step, 2u);
   handleKey(keys::left, 0, editor, ui);

@@ -17,7 +17,7 @@ LevelResult measured(double iou, bool refined = true) {
   match->report.triangleAgreement = iou > 0.5 ? 1 : 0;
   LevelResult result;
   result.match = match;
-  result.refined = refined;
+  result.refined = result.complete = refined;
   return result;
 }
 
@@ -56,6 +56,11 @@ TEST(MatchScore, GradesInWordAndColour) {
   EXPECT_EQ(matchScore(measured(0.3)).word, "poor");
   EXPECT_EQ(matchScore(measured(0.3)).tone, MatchScore::Tone::bad);
   EXPECT_EQ(matchScore(measured(0.7, false)).word, "live");
+  EXPECT_EQ(matchScore(measured(1, false)).tone, MatchScore::Tone::unknown) << "the old figure is no verdict";
+  LevelResult refined = measured(1);
+  refined.complete = false;
+  EXPECT_EQ(matchScore(refined).word, "being measured");
+  EXPECT_EQ(matchScore(refined).tone, MatchScore::Tone::unknown);
 }
 
 TEST(MatchScore, OfAnOriginalThatCoversFewPixelsIsNoGradeButAdvice) {

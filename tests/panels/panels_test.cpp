@@ -560,5 +560,36 @@ TEST_F(PanelsTest, TheViewDoesNotGoBelowTheFloorByAccident) {
   }
 }
 
+TEST_F(PanelsTest, ADigitBesideANumberIsNoKeyOfTheView) {
+  open("1-plane");
+  frames(2);
+  const Rect& rows = ui.layout.properties;
+  click(rows.x + 20, rows.y + 0.7f * rows.height);
+  handleKey('0', 0, editor, ui);
+  EXPECT_FALSE(editor.lookingThrough) << "who clicked there wanted to type";
+  EXPECT_FALSE(editor.status.text().empty()) << "and is told how";
+  moveMouse(ui.layout.view.x + 50, ui.layout.view.y + 50);
+  frame();
+  handleKey('0', 0, editor, ui);
+  EXPECT_TRUE(editor.lookingThrough);
+}
+
+TEST_F(PanelsTest, AMessageWithoutRoomIsShownInFullUntilItIsRead) {
+  open("1-plane");
+  const auto window = [] { return ImGui::FindWindowByName("##long-message"); };
+  editor.status.say("short");
+  frames(2);
+  EXPECT_FALSE(window());
+  std::string message = "chess.obj: line 7: expected a face of three corners.";
+  for (int i = 0; i < 5; ++i) message += " What can be done about it stands at the end.";
+  editor.status.say(message);
+  frames(3);
+  ASSERT_TRUE(window() && window()->WasActive);
+  click(window()->Pos.x + 20, window()->Pos.y + window()->Size.y - 16);
+  EXPECT_EQ(editor.status.text(), "");
+  frames(2);
+  EXPECT_FALSE(window()->WasActive);
+}
+
 }  // namespace
 }  // namespace anamorph::testing
