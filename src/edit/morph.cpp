@@ -33,6 +33,7 @@ void findMirrorPoints(const Sculpture& sculpture, const VertexMap& map, PointArr
     const std::size_t count = std::min(exitBlockSize, end - first);
     exitPoints(map.optic, {map.eye,
                            0,
+                           0,
                            {&in.x[first], &in.y[first], &in.z[first]},
                            count,
                            {qx.data(), qy.data(), qz.data()},

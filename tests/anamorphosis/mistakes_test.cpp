@@ -22,15 +22,15 @@ const Point eye{0, -9.1, 9.6};
 const Point vertex{1.2, 3.9, 2.3};
 
 TEST(Mistakes, NoneIsTheRightMapToTheBit) {
-  const MappedPoint right = mapPoint({column, eye, 0.4, {}}, vertex);
-  const MappedPoint none = mapPoint({column, eye, 0.4, Mistakes{}}, vertex);
+  const MappedPoint right = mapPoint({column, eye, 0.4, 0, {}}, vertex);
+  const MappedPoint none = mapPoint({column, eye, 0.4, 0, Mistakes{}}, vertex);
   EXPECT_EQ(right.point, none.point);
   EXPECT_FALSE(Mistakes{}.any());
 }
 
 TEST(Mistakes, TheDirectionIsTurnedAround) {
-  const VertexRay right = makeVertexRay({column, eye, 0.4, {}}, vertex);
-  const VertexRay wrong = makeVertexRay({column, eye, 0.4, {.direction = true}}, vertex);
+  const VertexRay right = makeVertexRay({column, eye, 0.4, 0, {}}, vertex);
+  const VertexRay wrong = makeVertexRay({column, eye, 0.4, 0, {.direction = true}}, vertex);
   EXPECT_LT(glm::length(wrong.legs.back().direction + right.legs.back().direction), 1e-12);
   EXPECT_LT(glm::length(wrong.sculpture - (2.0 * right.legs.back().start - right.sculpture)), 1e-12);
   const double fromAxis = std::hypot(wrong.sculpture.x, wrong.sculpture.y);
@@ -38,8 +38,8 @@ TEST(Mistakes, TheDirectionIsTurnedAround) {
 }
 
 TEST(Mistakes, TheDistanceTakesAPointFromADirection) {
-  const VertexRay right = makeVertexRay({column, eye, 1, {}}, vertex);
-  const VertexRay wrong = makeVertexRay({column, eye, 1, {.distance = true}}, vertex);
+  const VertexRay right = makeVertexRay({column, eye, 1, 0, {}}, vertex);
+  const VertexRay wrong = makeVertexRay({column, eye, 1, 0, {.distance = true}}, vertex);
   const double published = glm::length((vertex - eye) - right.legs.back().start);
   EXPECT_NEAR(wrong.distance, published, 1e-12);
   EXPECT_NEAR(glm::length(wrong.sculpture - right.legs.back().start), published, 1e-12);
@@ -48,8 +48,8 @@ TEST(Mistakes, TheDistanceTakesAPointFromADirection) {
 }
 
 TEST(Mistakes, TheNormalComesFromTheMiddleAsOfASphere) {
-  const VertexRay right = makeVertexRay({column, eye, 0.4, {}}, vertex);
-  const VertexRay wrong = makeVertexRay({column, eye, 0.4, {.normal = true}}, vertex);
+  const VertexRay right = makeVertexRay({column, eye, 0.4, 0, {}}, vertex);
+  const VertexRay wrong = makeVertexRay({column, eye, 0.4, 0, {.normal = true}}, vertex);
   EXPECT_LT(glm::length(wrong.legs.back().normal - glm::normalize(right.legs.back().start - Point(0, 0, 5))),
             1e-12);
   EXPECT_GT(degrees(std::acos(glm::dot(wrong.legs.back().normal, right.legs.back().normal))), 1);
@@ -61,9 +61,9 @@ TEST(Mistakes, TheNormalIsRightOnPlaneAndSphere) {
   for (const Shape& shape : {Shape(PlaneMirror{}), Shape(SphereMirror{{0, 0, 0}, 1})}) {
     const Optic optic{OpticKind::mirror, shape};
     const Point p{0.1, 2, 0.2}, e{0.2, -4, 0.7};
-    EXPECT_EQ(mapPoint({optic, e, 1, {.normal = true}}, p).status, PathStatus::mapped);
-    EXPECT_LT(glm::length(mapPoint({optic, e, 1, {.normal = true}}, p).point -
-                          mapPoint({optic, e, 1, {}}, p).point),
+    EXPECT_EQ(mapPoint({optic, e, 1, 0, {.normal = true}}, p).status, PathStatus::mapped);
+    EXPECT_LT(glm::length(mapPoint({optic, e, 1, 0, {.normal = true}}, p).point -
+                          mapPoint({optic, e, 1, 0, {}}, p).point),
               1e-12);
   }
 }
@@ -74,9 +74,9 @@ TEST(Mistakes, OfAllVerticesAsOfOne) {
   for (int bits = 0; bits < 8; ++bits) {
     const Mistakes mistakes{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
     MappedPoints mapped;
-    mapPointsThrough({column, eye, 0.3, mistakes}, placed, mapped, 2);
+    mapPointsThrough({column, eye, 0.3, 0, mistakes}, placed, mapped, 2);
     for (std::size_t i = 0; i < placed.size(); ++i) {
-      const MappedPoint one = mapPoint({column, eye, 0.3, mistakes}, placed[i]);
+      const MappedPoint one = mapPoint({column, eye, 0.3, 0, mistakes}, placed[i]);
       ASSERT_EQ(mapped.points[i], one.point) << bits << " " << i;
       ASSERT_EQ(mapped.status[i], one.status) << bits << " " << i;
       ASSERT_TRUE(isFinite(mapped.points[i]));
@@ -93,7 +93,7 @@ TEST(Mistakes, NeverNaN) {
       const Point p = makeRandomOriginal(scene, random, 2);
       for (int bits = 1; bits < 8; ++bits) {
         const Mistakes mistakes{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
-        const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, mistakes}, p);
+        const VertexRay ray = makeVertexRay({scene.optic, scene.eye, 1, 0, mistakes}, p);
         EXPECT_TRUE(isFinite(ray.sculpture) && std::isfinite(ray.distance));
         for (const VertexLeg& leg : ray.legs)
           EXPECT_TRUE(std::isfinite(leg.angleInDegrees) && std::isfinite(leg.angleOutDegrees));

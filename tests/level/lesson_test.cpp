@@ -27,10 +27,11 @@ TEST(LessonJson, ReadsEveryField) {
      "ask": {"text": "Q", "answers": [{"text": "A", "reply": "No"}, {"text": "B", "reply": "Yes", "right": true}]},
      "start": {"eye": [0, 1, 2], "putRight": ["normal", "distance"]},
      "show": {"tab": "rays", "widget": "Show", "play": {
-       "eye": [1, 2, 3], "original": [4, 5, 6], "mirror": [7, 8, 9], "depthScale": 2, "tolerance": "off",
+       "eye": [1, 2, 3], "original": [4, 5, 6], "mirror": [7, 8, 9], "depthScale": 2, "depthOffset": 3,
+       "controlPoint": 4, "controlBy": [0, 0.5, 0], "tolerance": "off",
        "fovDegrees": 30, "morph": 0.25, "viewEye": [1, 1, 1], "viewTarget": [2, 2, 2], "wipe": 0.75, "vertex": 7,
        "ends": [8, 9], "pixel": [3, 4], "preview": "wipe", "rays": "pixels", "putRight": "normal", "shape": "pawn",
-       "segments": 5, "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "undo": true,
+       "segments": 5, "mirrorKind": "sphere", "lookThrough": true, "animate": true, "wireframe": true, "caustic": true, "undo": true,
        "freeze": true}}}]})",
                                     "l.json");
   Lesson expected{"l", {"B", "C"}, {}};
@@ -41,6 +42,9 @@ TEST(LessonJson, ReadsEveryField) {
           Point(4, 5, 6),
           Point(7, 8, 9),
           2,
+          3,
+          4,
+          Vector(0, 0.5, 0),
           0,
           30,
           0.25,
@@ -56,6 +60,7 @@ TEST(LessonJson, ReadsEveryField) {
           "pawn",
           5,
           "sphere",
+          true,
           true,
           true,
           true,

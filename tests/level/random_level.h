@@ -6,6 +6,9 @@
 #include <string>
 
 #include "level/level.h"
+#include "optics/extrusion.h"
+#include "optics/patch.h"
+#include "optics/revolution.h"
 #include "shapes.h"
 
 namespace anamorph {
@@ -89,7 +92,19 @@ class RandomLevel {
     return {base, ambient, diffuse, specular, between(1, 1000)};
   }
   Shape mirror() {
-    switch (whole(0, 5)) {
+    Shape mirror = wholeMirror();
+    std::vector<HalfSpace> clip(static_cast<std::size_t>(std::max(0, whole(-3, 3))));
+    for (HalfSpace& half : clip) half = {point(), Vector(1, 0, 0) + color()};
+    mirror.clipBy(std::move(clip));
+    return mirror;
+  }
+  std::vector<double> radii() {
+    std::vector<double> values(static_cast<std::size_t>(whole(3, 12)));
+    for (double& value : values) value = length();
+    return values;
+  }
+  Shape wholeMirror() {
+    switch (whole(0, 9)) {
       case 0:
         return PlaneMirror{{point(), point(), point(), point()}};
       case 1:
@@ -101,6 +116,28 @@ class RandomLevel {
       case 4:
         return ParaboloidMirror{point(), Vector(1, 0, 0) + color(), length(), length(),
                                 coin() ? 0 : length()};
+      case 5:
+        return RevolutionMirror{point(), point(), radii()};
+      case 6: {
+        ExtrusionMirror wall{point(), Vector(1, 0, 0) + color(), Vector(0, 1, 0) + color(), length(), {},
+                             coin()};
+        for (int i = whole(3, 12); i > 0; --i) wall.points.emplace_back(coordinate(), coordinate());
+        return wall;
+      }
+      case 7: {
+        PatchMirror patch{
+            point(), Vector(1, 0, 0) + color(), Vector(0, 1, 0) + color(), {length(), length()}, {}};
+        patch.heights.columns = static_cast<std::size_t>(whole(4, 7));
+        const std::size_t count = patch.heights.columns * static_cast<std::size_t>(whole(4, 7));
+        for (std::size_t i = 0; i < count; ++i) patch.heights.heights.push_back(coordinate());
+        return patch;
+      }
+      case 8: {
+        MeshMirror mesh;
+        mesh.file.path = "x" + text();
+        mesh.placement = {point(), point(), lengths()};
+        return mesh;
+      }
       default:
         return SphereMirror{point(), length()};
     }

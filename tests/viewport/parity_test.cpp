@@ -263,6 +263,32 @@ TEST_F(CanvasParity, AMirrorOfTrianglesShowsWhatTheExactOneDoes) {
   }
 }
 
+// One checked level of each kind (tests/data/optics). Quadrics have formulas on both sides; others are triangles in the
+// view, and exact in the tracer.
+struct OpticCase {
+  const char* level;
+  bool exact;
+};
+class OpticParity : public GlTest, public testing::WithParamInterface<OpticCase> {};
+
+TEST_P(OpticParity, ShowsWhatTheTracerShows) {
+  constexpr int size = 240;
+  const LevelResult& finished = finishedLevel(std::string("../optics/") + GetParam().level);
+  const Bitmap view = pictureOf(tracerInput(finished, size, size));
+  const Bitmap traced = tracedPicture(finished, size, size);
+  const Difference mirror = differenceOf(view, traced, seesMirror(finished, size, size));
+  EXPECT_GT(mirror.pixels, 2500);
+  for (const Difference& difference : {mirror, differenceOf(view, traced, everywhere)}) {
+    EXPECT_LE(difference.meanAbsolute, GetParam().exact ? 0.5 : 2);
+    EXPECT_LE(difference.fractionOver16, GetParam().exact ? 0.01 : 0.03);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Optics, OpticParity,
+                         testing::Values(OpticCase{"ellipsoid-box", true}, OpticCase{"paraboloid-box", true},
+                                         OpticCase{"concave-box", true}, OpticCase{"vase-box", false},
+                                         OpticCase{"wavy-box", false}, OpticCase{"patch-pawn", false}));
+
 INSTANTIATE_TEST_SUITE_P(Levels, Parity,
                          testing::Values("1-plane", "2-cylinder", "3-sphere", "cone", "mesh"));
 
