@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 // An edge may use this part of the tolerance: inside a triangle the errors of its edges add up, and along a
 // silhouette on a convex mirror they all bend the same way, so none cancels in the picture.
-constexpr double edgePart = 0.5;
+constexpr double edgePart = 0.4;
 constexpr double blindStepPixels = 16;  // a mirror smaller than this may be overlooked
 constexpr int maxRounds = 24;           // 2^24 pieces of one edge: more than any image has pixels
 

@@ -188,8 +188,8 @@ void drawControlPoints(const Ink& ink, const Editor& editor) {
     if (!pixel) continue;
     const ImVec2 p = ink.at(*pixel);
     const float r = (chosen ? 5.5f : 3.5f) * ink.scale();
-    ink.list().AddCircleFilled(p, r + 1.2f * ink.scale(), IM_COL32(20, 24, 32, 200));
-    ink.list().AddCircleFilled(p, r, chosen ? ink::of(palette::selected) : IM_COL32(255, 255, 255, 235));
+    ink.list().AddCircleFilled(p, r + 1.2f * ink.scale(), ink::of(palette::pointRim));
+    ink.list().AddCircleFilled(p, r, chosen ? ink::of(palette::selected) : ink::of(palette::pointLabel));
   }
 }
 

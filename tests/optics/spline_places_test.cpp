@@ -143,8 +143,9 @@ TEST(Splines, EyesOnThemAreNamedAndMovedAway) {
     const Shape shape = randomSpline(int(seed), random);
     const Aim aim = aimAt(shape, random.uniform(0, 1), random.uniform(0, 1));
     EXPECT_EQ(findEyeProblem(shape, aim.point).value_or(""),
-              "the eye is on the surface of the mirror, so it sees nothing in it. Move the eye away from the "
-              "mirror.");
+              "the eye is on the surface of the mirror, from where nothing is seen in it. Move the eye away "
+              "from the "
+              "surface, to either side.");
     EXPECT_EQ(findEyeProblem(shape, aim.point + 1e-3 * aim.normal), std::nullopt);
     EXPECT_EQ(findEyeProblem(shape, eyeOutside(shape, aim.point, aim.point - aim.normal)), std::nullopt);
     const Point far = 1e8 * random.direction();
