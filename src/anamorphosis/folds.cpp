@@ -57,7 +57,7 @@ class FoldFinder {
       if (weights[i] == 0 || (weights[i] < 0) == folds.reversed) continue;
       folds.folded[i] = 1;
       ++folds.count;
-      note(bundleOf(triangles_[i])->foci(), folds.foci);
+      note(*bundleOf(triangles_[i]), folds.foci);
     }
     return folds;
   }
@@ -90,10 +90,15 @@ class FoldFinder {
     return spread > 0 ? size : spread < 0 ? -size : 0;
   }
 
-  static void note(const std::vector<double>& foci, FocusRange& range) {
+  // Of both foci the one that the triangle is nearer to: the other is not what divides it from the rest.
+  static void note(const RayBundle& bundle, FocusRange& range) {
+    const std::vector<double> foci = bundle.foci();
     if (foci.empty()) return;
-    range.nearest = range.none() ? foci.front() : std::min(range.nearest, foci.front());
-    range.farthest = std::max(range.farthest, foci.back());
+    const auto apart = [&](double focus) { return std::abs(focus - bundle.distance()); };
+    const double focus = *std::min_element(foci.begin(), foci.end(),
+                                           [&](double a, double b) { return apart(a) < apart(b); });
+    range.nearest = range.none() ? focus : std::min(range.nearest, focus);
+    range.farthest = std::max(range.farthest, focus);
   }
 
   const VertexMap& map_;

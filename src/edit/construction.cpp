@@ -15,7 +15,7 @@ namespace {
 using Kind = ConstructionSegment::Kind;
 
 constexpr int arcSegments = 24;
-constexpr double farthestFocus = 3;  // |QS|: others are no danger to the sculpture
+constexpr double farthestFocus = 5;  // |QS|: others are no danger to the sculpture
 
 std::string pointText(const Point& p) {
   return shownFormat("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);

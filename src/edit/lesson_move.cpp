@@ -82,6 +82,7 @@ void moveView(Editor& editor, const StepMove& move) {
   showRays(editor, move);
   if (move.wireframe) editor.display.wireframe = true;
   if (move.caustic) editor.display.caustic = true;
+  if (move.controlPoint) editor.selection = {Part::controlPoint, *move.controlPoint};
   if (move.vertex) pickVertex(editor, *move.vertex);
   if (move.ends) {
     for (const int vertex : *move.ends) pickVertex(editor, vertex);
