@@ -29,7 +29,7 @@ class FoldFinder {
     for (const std::size_t stride : {std::max<std::size_t>(1, triangles_.size() / enough), std::size_t{1}}) {
       for (std::size_t i = 0; i < triangles_.size() && asked < enough; i += stride) {
         if (!mapped(triangles_[i])) continue;
-        balance += weigh(bundleOf(triangles_[i]));
+        balance += orientation(bundleOf(triangles_[i]));
         ++asked;
       }
       if (asked > 0) break;
@@ -39,25 +39,26 @@ class FoldFinder {
 
   Folds find(int threads) {
     followAll(threads);
-    std::vector<double> weights(triangles_.size(), 0);
-    parallelFor(weights.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
+    std::vector<double> orientations(triangles_.size(), 0);
+    parallelFor(orientations.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        if (mapped(triangles_[i])) weights[i] = weigh(bundleOf(triangles_[i]));
+        if (mapped(triangles_[i])) orientations[i] = orientation(bundleOf(triangles_[i]));
       }
     });
     Folds folds;
     double same = 0, reversed = 0;
-    for (const double weight : weights) (weight < 0 ? reversed : same) += std::abs(weight);
+    for (const double seen : orientations) (seen < 0 ? reversed : same) += std::abs(seen);
     folds.reversed = reversed > same;
-    const double folded = std::min(same, reversed);
-    if (!(folded > 0)) return folds;
-    folds.share = folded / (same + reversed);
+    if (!(std::min(same, reversed) > 0)) return folds;
     folds.folded.assign(triangles_.size(), 0);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (weights[i] == 0 || (weights[i] < 0) == folds.reversed) continue;
+    for (std::size_t i = 0; i < orientations.size(); ++i) {
+      if (orientations[i] == 0 || (orientations[i] < 0) == folds.reversed) continue;
+      const auto bundle = bundleOf(triangles_[i]);
+      if (bundle->edgeOn()) continue;
       folds.folded[i] = 1;
       ++folds.count;
-      note(*bundleOf(triangles_[i]), folds.foci);
+      folds.share += std::abs(orientations[i]) / (same + reversed);
+      note(*bundle, folds.foci);
     }
     return folds;
   }
@@ -83,9 +84,8 @@ class FoldFinder {
   }
 
   // As large as the triangle seems from the eye; negative where its bundle is turned around at the corners' mean distance.
-  // 0 when it is seen edge-on.
-  static double weigh(const std::optional<RayBundle>& bundle) {
-    if (!bundle || bundle->edgeOn()) return 0;
+  static double orientation(const std::optional<RayBundle>& bundle) {
+    if (!bundle) return 0;
     const double spread = bundle->spread(bundle->distance()), size = std::abs(bundle->sizeAtEye());
     return spread > 0 ? size : spread < 0 ? -size : 0;
   }
@@ -95,8 +95,8 @@ class FoldFinder {
     const std::vector<double> foci = bundle.foci();
     if (foci.empty()) return;
     const auto apart = [&](double focus) { return std::abs(focus - bundle.distance()); };
-    const double focus = *std::min_element(foci.begin(), foci.end(),
-                                           [&](double a, double b) { return apart(a) < apart(b); });
+    const double focus =
+        *std::min_element(foci.begin(), foci.end(), [&](double a, double b) { return apart(a) < apart(b); });
     range.nearest = range.none() ? focus : std::min(range.nearest, focus);
     range.farthest = std::max(range.farthest, focus);
   }

@@ -5,7 +5,8 @@
 //     \ | /                          q1 = Q1 - Q0, r1 = R1 - R0, ...; R their mean.
 //    --Q0Q1Q2-- optic
 //      \|/                           A quadratic in d. Where it is 0 the rays cross: its positive roots are the two
-//       *  focus                     focal points of the bundle. Where it is negative, left and right are exchanged.
+//       *  focus                     focal points of the bundle. Where it is negative, left and right are exchanged; one
+//                                    reflection does so, too.
 //      /|\ R
 #pragma once
 

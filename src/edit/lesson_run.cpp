@@ -230,7 +230,7 @@ void markDone(Editor& editor) {
 std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor) {
   if (const MatchTest test = matchTest(condition)) return judged(editor, test);
   if (const auto held = holdsOfLevel(condition, begin.level, editor.session.level()))
-    return editor.session.changing() ? std::nullopt : held;
+    return *held && !editor.session.changing();
   return holdsInView(condition, begin, editor);
 }
 

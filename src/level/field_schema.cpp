@@ -8,7 +8,7 @@
 namespace anamorph {
 namespace {
 
-JsonValue numberIn(Range range, const char* type = "number") {
+JsonValue numberSchema(Range range, const char* type = "number") {
   return JsonObject()
       .add("type", std::string(type))
       .add("minimum", range.min)
@@ -30,7 +30,7 @@ JsonValue arrayOf(const JsonValue& item, Range count) {
 }
 
 JsonValue vectors(Range range) {
-  return arrayOf(numberIn(range), 3, 3);
+  return arrayOf(numberSchema(range), 3, 3);
 }
 
 JsonValue oneOfThese(const std::vector<std::string>& names) {
@@ -56,15 +56,15 @@ void FieldSchema::field(const char* key, bool&) {
 }
 
 void FieldSchema::field(const char* key, double&, Range range) {
-  add(key, numberIn(range));
+  add(key, numberSchema(range));
 }
 
 void FieldSchema::field(const char* key, int&, Range range) {
-  add(key, numberIn(range, "integer"));
+  add(key, numberSchema(range, "integer"));
 }
 
 void FieldSchema::field(const char* key, std::size_t&, Range range) {
-  add(key, numberIn(range, "integer"));
+  add(key, numberSchema(range, "integer"));
 }
 
 void FieldSchema::field(const char* key, Vector&, Range range) {
@@ -76,31 +76,31 @@ void FieldSchema::field(const char* key, std::span<Point> values, Range range) {
 }
 
 void FieldSchema::field(const char* key, std::span<double> values, Range range) {
-  add(key, arrayOf(numberIn(range), values.size(), values.size()));
+  add(key, arrayOf(numberSchema(range), values.size(), values.size()));
 }
 
 void FieldSchema::numbers(const char* key, std::vector<double>&, Range range, Range count) {
-  add(key, arrayOf(numberIn(range), count));
+  add(key, arrayOf(numberSchema(range), count));
 }
 
 void FieldSchema::curve(const char* key, std::vector<CurvePoint>&, Range range, Range count) {
-  add(key, arrayOf(arrayOf(numberIn(range), 2, 2), count));
+  add(key, arrayOf(arrayOf(numberSchema(range), 2, 2), count));
 }
 
 void FieldSchema::grid(const char* key, HeightGrid&, Range range, Range count) {
-  add(key, arrayOf(arrayOf(numberIn(range), count), count));
+  add(key, arrayOf(arrayOf(numberSchema(range), count), count));
 }
 
 void FieldSchema::pair(const char* key, int&, int&, Range range) {
-  add(key, arrayOf(numberIn(range, "integer"), 2, 2));
+  add(key, arrayOf(numberSchema(range, "integer"), 2, 2));
 }
 
 void FieldSchema::factors(const char* key, Vector&, Range range) {
-  add(key, anyOf({numberIn(range), vectors(range)}));
+  add(key, anyOf({numberSchema(range), vectors(range)}));
 }
 
 void FieldSchema::numberOrOff(const char* key, double&, Range range) {
-  add(key, anyOf({oneOfThese({"off"}), numberIn({0, 0}), numberIn(range)}));
+  add(key, anyOf({oneOfThese({"off"}), numberSchema({0, 0}), numberSchema(range)}));
 }
 
 void FieldSchema::textOrNone(const char* key, std::string&, std::size_t most) {

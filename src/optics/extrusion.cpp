@@ -275,7 +275,9 @@ Direction ExtrusionMirror::normalAt(double u, double) const {
 
 // Columns end at knots.
 std::array<int, 2> ExtrusionMirror::gridFor(int segments) const {
-  return {spanCount() * std::max(4, segments / spanCount()), 1};
+  constexpr int rows =
+      12;  // the distance to the border is known at corners only, and is not even between two borders
+  return {spanCount() * std::max(4, segments / spanCount()), rows};
 }
 
 SurfaceLines ExtrusionMirror::lines() const {

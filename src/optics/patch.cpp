@@ -202,7 +202,7 @@ std::optional<SurfaceHit> PatchMirror::intersect(const Prepared& prepared, const
 Box PatchMirror::box() const {
   constexpr double exactness = 1e-5;
   const Prepared prepared = prepare();
-  const auto [width, height] = prepared.cellSize();
+  const double width = prepared.cellSize()[0], height = prepared.cellSize()[1];
   Box box;
   for (int k = 0; k < 3; ++k) {
     std::array<LeastValue, 2> ends{LeastValue(exactness * std::max(size[0], size[1])),

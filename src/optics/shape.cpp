@@ -52,7 +52,7 @@ const std::vector<HalfSpace>& Shape::clip() const {
 }
 
 void Shape::clipBy(std::vector<HalfSpace> clip) {
-  cut_ = clip.empty() ? nullptr : std::make_shared<const Cut>(std::move(clip));
+  cut_ = clip.empty() ? nullptr : std::shared_ptr<const Cut>(new Cut{std::move(clip)});
 }
 
 const SmoothMesh& Shape::cutSurface() const {

@@ -1,5 +1,5 @@
 // The meshes of mirrors are read once, when their level is: by the open job, the command line, a restore, a paste. A file
-// that cannot be read is no Error here: the level opens, and its mirror says what is wrong (MeshMirror::findProblem).
+// that cannot be read is no Error here: the level opens, and its mirror says what is wrong (findShapeProblem).
 #pragma once
 
 #include <filesystem>

@@ -274,6 +274,7 @@ TEST(Sculpture, OutwardStaysOutwardOnEveryConvexMirror) {
           placed(makeBox(Vector(random.uniform(0.05, 0.3)), 3), makeRandomOriginal(scene, random));
       const Sculpture s = makeSculpture(input);
       if (s.originalStatus[0] != input.original->positions.size()) continue;
+      if (s.folded.triangles > 0) continue;  // partly on the inner wall, through an open end
       ++whole;
       EXPECT_TRUE(isClosed(s.mesh));
       EXPECT_GT(signedVolume(s.mesh), 0);

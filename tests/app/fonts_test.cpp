@@ -108,6 +108,7 @@ TEST_F(FontsTest, TakeTheLettersOfTheLevel) {
 TEST_F(FontsTest, TakeTheLettersOfFileNames) {
   openSmallLevel();
   frames(2);
+  ui().browser.open = true;
   ui().browser.listing.entries.push_back({"образец-鏡.json", false});
   ui().recentLevels.push_back("/home/öğrenci/ひかり.json");
   frames(2);

@@ -150,7 +150,7 @@ TEST_F(Screenshot, FaultsLeaveNoFile) {
   expectFault("1-plane --language xx", 2, "--language: expected en or nl, got xx");
   expectFault("1-plane no-such-mesh.obj", 1, "no-such-mesh.obj");
   expectFault("- -", 2, "expected one file from standard input, got two");
-  expectFault("no-such-level", 1, "no-such-level");
+  expectFault("no-such-level", 2, "no-such-level");
   expectFault(std::string(ANAMORPH_TEST_DATA) + "/meshes/cube.obj", 1, "cube.obj");
 }
 

@@ -53,6 +53,7 @@ bool needsResult(const LessonStep& step) {
   return std::any_of(step.done.begin(), step.done.end(), [](const StepCondition& condition) {
     return condition.when == StepEvent::matchAbove || condition.when == StepEvent::matchBelow ||
            condition.when == StepEvent::hiddenShareAbove || condition.when == StepEvent::hiddenShareBelow ||
+           condition.when == StepEvent::foldedShareAbove || condition.when == StepEvent::foldedShareBelow ||
            condition.when == StepEvent::verticesBelow;
   });
 }
@@ -227,8 +228,8 @@ TEST(Lessons, HaveIdsAndBadgesOfTheirOwn) {
   }
   EXPECT_EQ(ids.size(), lessons.size());
   EXPECT_EQ(badges.size(), lessons.size());
-  EXPECT_EQ(ids,
-            (std::set<std::string>{"perspective", "plane", "cylinder", "sphere", "mistakes", "sandbox"}));
+  EXPECT_EQ(ids, (std::set<std::string>{"perspective", "plane", "cylinder", "sphere", "mistakes", "cone",
+                                        "hollow", "free-form", "sandbox"}));
 }
 
 }  // namespace

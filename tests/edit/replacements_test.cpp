@@ -19,6 +19,7 @@ using namespace testing;
 TEST(MirrorOfKind, KeepsPlaceAndSizeAndIsSound) {
   for (const ShapeKind from : allShapeKinds) {
     for (std::size_t to = 0; to < shapeTypes().size(); ++to) {
+      if (shapeTypes()[to].needsFile) continue;
       for (unsigned seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(std::to_string(int(from)) + " to " + std::to_string(to) + ", seed " +
                      std::to_string(seed));
@@ -60,7 +61,9 @@ TEST(MirrorOfKind, IsSoundWhateverTheOldOneIs) {
   for (const Level& level : makeAbsurdLevels()) {
     for (std::size_t to = 0; to < shapeTypes().size(); ++to) {
       const Shape made = mirrorOfKind(to, level.optic.shape(), level.camera.eye);
-      if (to != shapeIndex(level.optic.shape())) {
+      if (shapeTypes()[to].needsFile) {
+        EXPECT_EQ(made, level.optic.shape()) << "it waits for a file";
+      } else if (to != shapeIndex(level.optic.shape())) {
         EXPECT_EQ(findShapeProblem(made), std::nullopt) << to;
       }
     }

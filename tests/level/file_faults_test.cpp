@@ -36,7 +36,8 @@ TEST(FileFaults, AreToldAllAtOnceInTheOrderOfTheFile) {
       "line 3, column 21: /optic/kind: expected \"mirror\" or \"none\", got \"miror\"; did you mean "
       "\"mirror\"?",
       "line 3, column 39: /optic/shape: expected the key \"radius\", got an object without it",
-      "line 3, column 48: /optic/shape/type: expected \"plane\", \"cylinder\", \"sphere\" or \"cone\", got "
+      "line 3, column 48: /optic/shape/type: expected \"plane\", \"cylinder\", \"sphere\", \"cone\", "
+      "\"ellipsoid\", \"paraboloid\", \"revolution\", \"extrusion\", \"patch\" or \"mesh\", got "
       "\"cilinder\"; did you mean \"cylinder\"?",
       "line 3, column 70: /optic/shape/bottom: expected an array of 3 numbers, got [0, 0]",
       "line 4, column 30: /camera/eye/2: expected a number from -1000000 to 1000000, got \"9\"",

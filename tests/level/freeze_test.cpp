@@ -47,7 +47,9 @@ std::string errorOf(const std::string& frozenJson) {
 
 TEST(Freeze, AFileThatLeavesSomethingOutIsRefused) {
   EXPECT_EQ(errorOf("true"), "f.json: line 25, column 27: /sculpture/frozen: expected an object, got true");
-  EXPECT_EQ(errorOf("{}"), "f.json: line 25, column 27: /sculpture/frozen: expected the key \"optic\", got an object without it (and 4 more)");
+  EXPECT_EQ(errorOf("{}"),
+            "f.json: line 25, column 27: /sculpture/frozen: expected the key \"optic\", got an object "
+            "without it (and 4 more)");
   EXPECT_NE(
       errorOf(R"({"optic": {"kind": "mirror", "shape": {"type": "sphere", "centre": [0, 0, 0], "radius": 0}},
                         "camera": {"eye": [0, 0, 0], "target": [0, 1, 0]}, "unitize": false, "placement": {},

@@ -82,10 +82,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "string "
                 "literal"},
         BadText{"TrailingComma", "{\"a\": 1,\n}",
-                "f.json: line 1, column 8: expected another value after this comma, got a closing bracket: "
+                "f.json: expected another value after this comma, got a closing bracket: "
                 "remove the comma"},
         BadText{"TrailingCommaInArray", "[1, 2 , ]",
-                "f.json: line 1, column 7: expected another value after this comma, got a closing bracket: "
+                "f.json: expected another value after this comma, got a closing bracket: "
                 "remove the comma"},
         BadText{"Truncated", "{\"a\": [1, 2",
                 "f.json: line 1, column 12: syntax error while parsing array - unexpected end of input; "

@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLesson{"StepWithoutTask", R"({"id": "l", "steps": [{"id": "s", "title": "", "why": ""}]})",
                   "/lesson/steps/0: expected the key \"do\", got an object without it"},
         BadLesson{"UnknownKey", lessonWith(R"(, "hint": "x")"),
-                  "/lesson/steps/0/hint: expected a key of a lesson, got \"hint\""},
+                  "/lesson/steps/0/hint: expected a key that is known here, got \"hint\""},
         BadLesson{"UnknownFigure", lessonWith(R"(, "figure": "cat")"),
                   "/lesson/steps/0/figure: expected \"perspective\", \"construction\", \"columns\", "
                   "\"edges\" or \"occlusion\", got \"cat\""},
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLesson{"ValueTooLarge", lessonWith("", R"([{"when": "matchAbove", "value": 99}])"),
                   "/lesson/steps/0/done/0/value: expected a number from 0 to 1, got 99"},
         BadLesson{"ValueWhereNoneIs", lessonWith("", R"([{"when": "movedEye", "value": 1}])"),
-                  "/lesson/steps/0/done/0/value: expected a key of a lesson, got \"value\""},
+                  "/lesson/steps/0/done/0/value: expected a key that is known here, got \"value\""},
         BadLesson{"UnknownTab", lessonWith("", R"([{"when": "viewed", "what": "cat"}])"),
                   "/lesson/steps/0/done/0/what: expected \"reflection\", \"original\", \"difference\" or "
                   "\"wipe\", got \"cat\""},

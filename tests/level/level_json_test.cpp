@@ -75,7 +75,8 @@ TEST(LevelJson, ReadsEveryField) {
                        true,
                        {Point(7, 8, 9), Vector(10, 20, 30), Vector(1, 2, 3)},
                        {Color(0.5, 0.6, 0.7), 0.11, 0.12, 0.13, 14}};
-  expected.sculpture = {0.5, 3.5, 0, 1000, 256, {true, false, true}, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}};
+  expected.sculpture = {
+      0.5, 3.5, 0, 1000, 256, {true, false, true}, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}};
   expected.lights = {{Point(1, 1, 1), Color(0.3, 0.2, 0.1), 0.9}};
   expected.background = {Color(0.1, 0.1, 0.1), Color(0.2, 0.2, 0.2)};
   expected.ground = {false, -1};
@@ -170,14 +171,14 @@ INSTANTIATE_TEST_SUITE_P(
                  "expected a level (with \"format\": \"anamorph-level\") or a scene of the thesis (with "
                  "\"Eye\" and "
                  "\"Objects\"), got neither"},
-        BadLevel{"NoVersion", "\"version\": 1,", "",
+        BadLevel{"NoVersion", "\"version\": 2,", "",
                  "expected the key \"version\", got an object without it"},
         BadLevel{
-            "NewerVersion", "\"version\": 1", "\"version\": 3",
-            "/version: expected at most 1 (this level was made by a newer Anamorph, please update), got 3"},
-        BadLevel{"VersionIsZero", "\"version\": 1", "\"version\": 0",
+            "NewerVersion", "\"version\": 2", "\"version\": 3",
+            "/version: expected at most 2 (this level was made by a newer Anamorph, please update), got 3"},
+        BadLevel{"VersionIsZero", "\"version\": 2", "\"version\": 0",
                  "/version: expected a whole number from 1 to 1000000, got 0"},
-        BadLevel{"VersionIsText", "\"version\": 1", "\"version\": \"1\"",
+        BadLevel{"VersionIsText", "\"version\": 2", "\"version\": \"1\"",
                  "/version: expected a whole number from 1 to 1000000, got \"1\""},
         BadLevel{"TitleIsNumber", "\"Every field\"", "7", "/title: expected a string, got 7"},
         BadLevel{"NoOptic", "\"optic\"", "\"optics\"",
@@ -191,7 +192,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadLevel{"NoOpticKind", "\"kind\"", "\"sort\"",
                  "/optic: expected the key \"kind\", got an object without it"},
         BadLevel{"UnknownMirror", "\"type\": \"cylinder\"", "\"type\": \"egg\"",
-                 "/optic/shape/type: expected \"plane\", \"cylinder\", \"sphere\" or \"cone\", got \"egg\""},
+                 "/optic/shape/type: expected \"plane\", \"cylinder\", \"sphere\", \"cone\", \"ellipsoid\", "
+                 "\"paraboloid\", \"revolution\", \"extrusion\", \"patch\" or \"mesh\", got \"egg\""},
         BadLevel{"NoMirrorType", "\"type\": \"cylinder\", ", "",
                  "/optic/shape: expected the key \"type\", got an object without it"},
         BadLevel{"MirrorOfOtherType", "\"type\": \"cylinder\"", "\"type\": \"sphere\"",
@@ -308,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "/view/fovDegrees: expected a number from 1 to 170, got 171"},
         BadLevel{
             "BrokenAtTheEnd", "\"fovDegrees\": 50", "\"fovDegrees\" 50",
-            "line 40, column 65: syntax error while parsing object separator - unexpected number literal; "
+            "line 41, column 65: syntax error while parsing object separator - unexpected number literal; "
             "expected ':'"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 

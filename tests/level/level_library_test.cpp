@@ -33,7 +33,7 @@ TEST_F(LevelLibrary, ListsTheInstalledLevelsByName) {
     EXPECT_FALSE(entry.title.empty()) << entry.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"0-perspective", "1-plane", "2-cylinder", "3-sphere",
-                                             "4-mistakes", "sandbox"}));
+                                             "4-mistakes", "5-cone", "6-hollow", "7-free-form", "sandbox"}));
 }
 
 TEST_F(LevelLibrary, InstalledLevelsAreCompleteAndLoadWithoutWarnings) {
@@ -70,9 +70,9 @@ TEST_F(LevelLibrary, AFileGoesBeforeALevelOfTheSameName) {
 }
 
 TEST_F(LevelLibrary, AnUnknownNameListsWhatThereIs) {
-  EXPECT_EQ(errorOf([] { findLevel("cone"); }),
+  EXPECT_EQ(errorOf([] { findLevel("torus"); }),
             "expected a file or one of the levels 0-perspective, 1-plane, 2-cylinder, 3-sphere, 4-mistakes, "
-            "sandbox, got \"cone\"");
+            "5-cone, 6-hollow, 7-free-form, sandbox, got \"torus\"");
   EXPECT_NE(errorOf([] { findLevel(""); }), "no error");
 }
 

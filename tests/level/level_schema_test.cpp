@@ -83,8 +83,8 @@ TEST_F(LevelSchema, HoldsForWhateverIsSaved) {
 TEST_F(LevelSchema, DoesNotHoldForBadFiles) {
   const std::vector<std::pair<std::string, std::string>> changes{
       {"anamorph-level", "gltf"},
-      {"\"version\": 1", "\"version\": 0"},
-      {"\"version\": 1", "\"version\": 1.5"},
+      {"\"version\": 2", "\"version\": 0"},
+      {"\"version\": 2", "\"version\": 1.5"},
       {"\"level.schema.json\"", "7"},
       {"\"title\"", "\"titel\""},
       {"\"optic\"", "\"optics\""},

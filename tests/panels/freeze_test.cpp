@@ -48,7 +48,7 @@ TEST_F(FreezeInTheWindow, ByKeyAndBackByTheSignInTheView) {
 
 TEST_F(FreezeInTheWindow, NothingIsFrozenWhereThereIsNoSculpture) {
   Level level = editor.session.level();
-  level.camera.eye = {0, 0, 5};
+  level.camera.eye = pointAt(level.optic.shape(), 0.3, 0.6);  // on the mirror
   editor.session.edit(level);
   editor.updater.finish(editor.session, {});
   EXPECT_FALSE(isEnabled(Action::toggleFrozen, editor, ui));

@@ -82,10 +82,10 @@ TEST(MatchScore, PartsAreGoodOrNotEachByItself) {
   match->report.hiddenShare = 0.2;
   result.match = match;
   const MatchScore score = matchScore(result);
-  ASSERT_EQ(score.parts.size(), 6u);
+  ASSERT_EQ(score.parts.size(), 7u);
   for (const MatchPart& part : score.parts)
     EXPECT_EQ(part.good, std::string(part.name) != "Hidden") << part.name;
-  EXPECT_EQ(score.parts[3].value, "20.0 %");
+  EXPECT_EQ(score.parts[0].value, "20.0 %");
   EXPECT_NE(score.word, "excellent");
 }
 

@@ -97,10 +97,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"framework-sphere-2", "box"}, Case{"framework-sphere-2", "cube"},
                       Case{"thesis-flat", "box"}, Case{"thesis-flat", "cube"}, Case{"thesis-sphere", "box"},
                       Case{"thesis-sphere", "cube"}, Case{"cone", "box"}, Case{"cone", "cube"},
-                       Case{"cone", "points"}, Case{"dish", "cube", true}, Case{"dish", "points", true},
-                       Case{"floor-mirror", "cube"}, Case{"floor-mirror", "points"},
-                       Case{"paraboloid", "cube"}, Case{"paraboloid", "points"}, Case{"mesh", "cube"},
-                       Case{"mesh", "points"}),
+                      Case{"cone", "points"}, Case{"dish", "cube", true}, Case{"dish", "points", true},
+                      Case{"floor-mirror", "cube"}, Case{"floor-mirror", "points"},
+                      Case{"paraboloid", "cube"}, Case{"paraboloid", "points"}, Case{"mesh", "cube"},
+                      Case{"mesh", "points"}),
     [](const auto& each) {
       std::string name = std::string(each.param.scene) + "_" + each.param.model;
       std::replace(name.begin(), name.end(), '-', '_');

@@ -91,8 +91,7 @@ const std::array mutants{
            })},
     Mutant{"patch-box", "a control height is 0.1 higher",
            changed<PatchMirror>([](PatchMirror& s) { s.heights.at(3, 3) += 0.1; })},
-    Mutant{"cone-box", "the eye is 0.2 aside",
-           [](Level& level) { level.camera.eye.x += 0.2; }},
+    Mutant{"cone-box", "the eye is 0.2 aside", [](Level& level) { level.camera.eye.x += 0.2; }},
 };
 
 TEST(OpticMutants, ScoreWorse) {
