@@ -90,7 +90,7 @@ void checkLevel(const std::string& path, const LoadedLevel& loaded, const Common
   const LevelResult finished = *finishLevel(level, original, common.threads);
   FileRemarks faults(path);
   checkLesson(loaded, original.mesh->positions.size(), faults);
-  if (finished.problem) faults.addFault(*finished.problem, {}, "");
+  if (finished.problem) faults.addFault(*finished.problem, {}, placeOfProblem(level));
   faults.throwFaults();
   for (const std::string& warning : finished.warnings) finding.warn({path + ": " + warning});
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;

@@ -216,7 +216,9 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
   applyOptions(options, input.level);
   if (loaded.isThesisScene) input.level.camera.target = boundingBox(input.original.mesh->positions).centre();
   const Box box = boundingBox(input.original.mesh->positions);
-  if (auto problem = findProblem(input.level, box)) throw Error(*problem, path);
+  if (auto problem = findProblem(input.level, box)) {
+    throw Error(*problem, path, loaded.isThesisScene ? "" : placeOfProblem(input.level));
+  }
   input.loadSeconds = secondsNow() - start;
   return input;
 }

@@ -15,7 +15,13 @@ std::string mm(double millimetres) {
 }
 
 std::string describeMirror(const Shape& mirror, double bottom) {
-  const ShapeWords words = mirror->words(formatLength);
+  ShapeWords words = mirror->words(formatLength);
+  if (!mirror.clip().empty()) {
+    const Vector size = boxOf(mirror).size();
+    words.size += trFormat("Of it a piece of {} x {} x {} is left, cut off by planes. ", mm(size.x),
+                           mm(size.y), mm(size.z));
+    words.stance = tr("Over the blue outline");
+  }
   if (bottom <= nothing) return words.size + words.stance + ".";
   return words.size + words.stance + trFormat(", its lowest point {} above the table.", mm(bottom));
 }

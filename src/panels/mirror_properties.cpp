@@ -144,6 +144,36 @@ bool shapeChoice(Shape& shape, Editor& editor, UiState& ui) {
   return !(old == shape);
 }
 
+// The planes that cut it off. One that would leave nothing is said to, as any other fault of the shape.
+bool cutRows(Shape& shape) {
+  std::vector<HalfSpace> clip = shape.clip();
+  bool changed = false;
+  for (std::size_t i = 0; i < clip.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    changed |= vectorRow("Cut at", clip[i].point, coordinates, "A point of the plane.");
+    Vector keeps = clip[i].normal;
+    if (vectorRow("Keeps towards", keeps, coordinates,
+                  "The plane's normal: what lies on its side is kept.") &&
+        glm::length(keeps) >= limits::lengths.min) {
+      clip[i].normal = keeps;
+      changed = true;
+    }
+    const bool removed = wideButton("Remove this cut");
+    ImGui::PopID();
+    if (!removed) continue;
+    clip.erase(clip.begin() + static_cast<std::ptrdiff_t>(i));
+    shape.clipBy(std::move(clip));
+    return true;
+  }
+  if (wideButton("Cut it off", "By a plane through its middle; the upper part is kept.",
+                 clip.size() < limits::mostClips)) {
+    clip.push_back({middleOf(shape), {0, 0, 1}});
+    changed = true;
+  }
+  if (changed) shape.clipBy(std::move(clip));
+  return changed;
+}
+
 }  // namespace
 
 void drawMirrorProperties(Editor& editor, UiState& ui) {
@@ -163,6 +193,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
     changed |= shapeRows(shape, editor.selection);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
+  if (section(ui, "Cuts", !shape.clip().empty())) changed |= cutRows(shape);
   if (reflects && section(ui, "Look", false)) {
     changed |= colorRow("Tint", level.mirrorLook.tint, "The colour of what it reflects.");
     changed |= sliderRow("Reflectance", level.mirrorLook.reflectance, {limits::fractions, 0.01, "%.2f"},

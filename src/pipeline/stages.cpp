@@ -127,6 +127,11 @@ std::optional<std::string> findProblem(const LevelScene& level, const Box& origi
   return findProblemOf(level.optic, level.camera.eye, original);
 }
 
+const char* placeOfProblem(const LevelScene& level) {
+  if (findProblem(level.optic)) return "/optic/shape";
+  return findEyeProblem(level.optic, level.camera.eye) ? "/camera/eye" : "/original";
+}
+
 std::optional<std::string> findSculptureProblem(const LevelScene& level, const Box& source) {
   const SculptureInputs inputs = sculptureInputs(level);
   return findProblemOf(inputs.optic, inputs.camera.eye, source);

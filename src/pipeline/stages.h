@@ -43,6 +43,9 @@ const char* explainStatus(PathStatus status);
 /// a sentence for the student; nothing when it can.
 std::optional<std::string> findProblem(const LevelScene& level, const Box& original);
 
+/// Where in a level's file that is, as a JSON pointer: of the mirror, the eye or the original.
+const char* placeOfProblem(const LevelScene& level);
+
 /// The same of what the level's sculpture is made from, the original (`source`) included: another question only while
 /// it is frozen.
 std::optional<std::string> findSculptureProblem(const LevelScene& level, const Box& source);

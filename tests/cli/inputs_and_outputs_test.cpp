@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"@ deform mirror.json -o hard.obj", 2, "hard.obj: this is b.obj, which"},
                       Case{"@ export mirror.json -o link.obj", 2, "link.obj: this is b.obj, which"},
                       Case{"@ deform no-mirror.json -o new.obj", 1,
-                           "no-mirror.json: the mesh mirror cannot be used: gone.obj: cannot open: No such "
+                           "no-mirror.json: /optic/shape: the mesh mirror cannot be used: gone.obj: cannot open: No such "
                            "file or directory."},
                       Case{"@ render no-mirror.json -o new.png", 1,
                            "the mesh mirror cannot be used: gone.obj: cannot open"},
