@@ -91,6 +91,22 @@ std::optional<bool> judged(const Editor& editor, const MatchTest& test) {
   return test(result.match->report);
 }
 
+// A number that is on its way is nowhere yet: that is how one that a step begins with is seen otherwise. Of the rest
+// nothing is known.
+std::optional<bool> whileDragged(StepEvent event) {
+  switch (event) {
+    case StepEvent::eyeAbove:
+    case StepEvent::eyeAway:
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+    case StepEvent::depthOffsetAbove:
+    case StepEvent::depthOffsetBelow:
+      return false;
+    default:
+      return std::nullopt;
+  }
+}
+
 // Nothing for a condition that is not of the level.
 std::optional<bool> holdsOfLevel(const StepCondition& condition, const Level& begin, const Level& level) {
   switch (condition.when) {
@@ -230,7 +246,7 @@ void markDone(Editor& editor) {
 std::optional<bool> holds(const StepCondition& condition, const LessonFacts& begin, const Editor& editor) {
   if (const MatchTest test = matchTest(condition)) return judged(editor, test);
   if (const auto held = holdsOfLevel(condition, begin.level, editor.session.level()))
-    return *held && !editor.session.changing();
+    return editor.session.changing() ? whileDragged(condition.when) : held;
   return holdsInView(condition, begin, editor);
 }
 
