@@ -129,14 +129,19 @@ PatchMirror::Place PatchMirror::placeAt(double x, double y) const {
   const double column = std::clamp(std::floor(u), 0.0, columns - 1.0);
   const double row = std::clamp(std::floor(v), 0.0, rows - 1.0);
   const Cell cell = cellOf(heights, static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+  return placeIn(cell, u - column, v - row);
+}
+
+PatchMirror::Place PatchMirror::placeIn(const Cell& cell, double u, double v) const {
+  const auto [columns, rows] = cellCount();
   Cubic value, slope;
   for (std::size_t j = 0; j < 4; ++j) {
-    const ValueAndSlope along = valueAndSlope(cell.rows[j], u - column);
+    const ValueAndSlope along = valueAndSlope(cell.rows[j], u);
     value.c[j] = along.value;
     slope.c[j] = along.slope;
   }
-  const ValueAndSlope here = valueAndSlope(value, v - row);
-  return {here.value, valueAndSlope(slope, v - row).value * columns / size[0], here.slope * rows / size[1]};
+  const ValueAndSlope here = valueAndSlope(value, v);
+  return {here.value, valueAndSlope(slope, v).value * columns / size[0], here.slope * rows / size[1]};
 }
 
 PatchMirror::Prepared PatchMirror::prepare() const {
@@ -188,7 +193,7 @@ std::optional<SurfaceHit> PatchMirror::intersect(const Prepared& prepared, const
         const double way = start + crossing.at * length, t = local.start + way;
         if (!filter.isNew(way, crossing.rising) || !(t > tMin)) continue;
         const Point p = local.after(way);
-        const auto [z, slopeX, slopeY] = placeAt(p.x, p.y);
+        const auto [z, slopeX, slopeY] = placeIn(cell, x.inCell(p.x), y.inCell(p.y));
         return hitAt(ray, t, prepared.axes, {-slopeX, -slopeY, 1});
       }
     }

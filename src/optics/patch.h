@@ -98,6 +98,8 @@ struct PatchMirror {
     double height, slopeX, slopeY;
   };
   Place placeAt(double x, double y) const;
+  /// The same in a cell, 0..1 both ways.
+  Place placeIn(const Cell& cell, double u, double v) const;
   Axes frame() const;  ///< X, Y, Z
   std::array<int, 2> cellCount() const;
 };
