@@ -73,6 +73,7 @@ TEST_P(DocumentPicture, IsWhatTheProgramDraws) {
   const Picture& picture = GetParam();
   const TemporaryFolder folder;
   const std::string made = folder / "made.png";
+  std::filesystem::current_path(root);  // as docs/make_pictures.sh, for levels that are named by their path
   const Result result = run(picture.arguments + " -o " + made);
   if (result.err.find("no picture can be drawn here") != std::string::npos) return cannotRunHere(result.err);
   ASSERT_EQ(result.exitCode, 0) << result.err;
