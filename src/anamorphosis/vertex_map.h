@@ -12,7 +12,7 @@ struct VertexMap {
   Point eye{0};
   double depthScale = 1;   ///< k
   double depthOffset = 0;  ///< scene units
-  Mistakes mistakes;
+  Mistakes mistakes{};
 
   bool operator==(const VertexMap&) const = default;
 };

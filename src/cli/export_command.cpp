@@ -211,20 +211,25 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
   throw Error(fmt::format("{} of {} files could not be written", failed, outputs.size()));
 }
 
+std::string joined(const auto& parts, const char* between) {
+  std::string text;
+  for (const auto& part : parts) text += (text.empty() ? "" : between) + std::string(part);
+  return text;
+}
+
 // "sculpture, viewing sheet, ..."
 std::string allNames() {
   std::vector<std::string> names;
   for (const ExportFormat& format : exportFormats()) names.push_back(nameOf(format));
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 std::string outputHelp() {
   std::vector<std::string> files;
   for (const ExportFormat& format : exportFormats()) {
-    if (!format.askedBy)
-      files.push_back(fmt::format("{} ({})", fmt::join(format.endings, " "), nameOf(format)));
+    if (!format.askedBy) files.push_back(joined(format.endings, " ") + " (" + nameOf(format) + ")");
   }
-  return fmt::format("The file to write, as often as wanted: {}", fmt::join(files, ", "));
+  return "The file to write, as often as wanted: " + joined(files, ", ");
 }
 
 }  // namespace

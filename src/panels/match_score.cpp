@@ -63,7 +63,7 @@ MatchScore matchScore(const LevelResult& result) {
   score.help = findMatchProblem(report).value_or(
       "How well the reflection agrees with the original seen directly: the "
       "share of pixels that both show.");
-  if (grade == MatchGrade::tooSmall) score.percent = "-";
+  if (grade == MatchGrade::tooSmall) score.percent = std::string(1, '-');
   // What the lessons speak of comes first: where there is little room, the others are left to the tooltip.
   score.parts = {
       {"Hidden", shownFormat("{:.1f} %", 100 * report.hiddenShare), report.hiddenShare == 0,

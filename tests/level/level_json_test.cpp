@@ -76,7 +76,7 @@ TEST(LevelJson, ReadsEveryField) {
                        {Point(7, 8, 9), Vector(10, 20, 30), Vector(1, 2, 3)},
                        {Color(0.5, 0.6, 0.7), 0.11, 0.12, 0.13, 14}};
   expected.sculpture = {
-      0.5, 3.5, 0, 1000, 256, {true, false, true}, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}};
+      0.5, 3.5, 0, 1000, 256, {true, false, true}, {Color(0.8, 0.9, 1), 0.21, 0.22, 0.23, 24}, std::nullopt};
   expected.lights = {{Point(1, 1, 1), Color(0.3, 0.2, 0.1), 0.9}};
   expected.background = {Color(0.1, 0.1, 0.1), Color(0.2, 0.2, 0.2)};
   expected.ground = {false, -1};

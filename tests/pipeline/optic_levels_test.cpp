@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Checked, OpticLevels,
                          testing::Values("cone-box", "cone-pawn", "concave-F", "concave-box", "ellipsoid-box",
                                          "paraboloid-box", "patch-box", "patch-pawn", "vase-box", "wavy-F",
                                          "wavy-box"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& each) {
+                           std::string name = each.param;
                            name.erase(name.find('-'), 1);
                            return name;
                          });
