@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
+#include "level/level_condition.h"
 #include "level/move_numbers.h"
 #include "level/step_controls.h"
 #include "optics/shape_table.h"
@@ -41,25 +42,16 @@ LevelScene played(LevelScene level, const StepMove& move) {
 // begins, by its `start`.
 bool canHold(const StepCondition& condition, const StepMove& start, const StepMove& move,
              const LevelScene& before) {
-  LevelScene after = played(before, move);
+  const LevelScene after = played(before, move);
+  const bool held = holdsOfLevel(condition, before, after).value_or(true);
   switch (condition.when) {
-    case StepEvent::movedEye:
-      return after.camera.eye != before.camera.eye;
     case StepEvent::movedOriginal:
-      return !move.shape.empty() || !(after.original.placement == before.original.placement);
+    case StepEvent::changedOriginal:
+      return held || !move.shape.empty();
     case StepEvent::movedMirror:
       return move.mirror || !move.mirrorKind.empty() || move.controlBy;
-    case StepEvent::changedOriginal:
-      return !move.shape.empty() || !(after.original.shape == before.original.shape);
     case StepEvent::changedMirror:
-      return !move.mirrorKind.empty() ? move.mirrorKind == condition.what
-                                      : shapeName(after.optic.shape()) == condition.what;
-    case StepEvent::depthScaleChanged:
-      return after.sculpture.depthScale != before.sculpture.depthScale;
-    case StepEvent::toleranceOff:
-      return after.sculpture.tolerancePixels == 0;
-    case StepEvent::toleranceOn:
-      return after.sculpture.tolerancePixels > 0;
+      return move.mirrorKind.empty() ? held : move.mirrorKind == condition.what;
     case StepEvent::pickedPixel:
       return move.pixel.has_value();
     case StepEvent::pickedVertex:
@@ -79,34 +71,30 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
       return move.animate;
     case StepEvent::wireframe:
       return move.wireframe || start.wireframe;
-    case StepEvent::putRight:
-      return !mistakeOf(after.sculpture.mistakes, condition.what);
+    case StepEvent::caustic:
+      return move.caustic || start.caustic;
     case StepEvent::undone:
       return move.undo;
     case StepEvent::exported:
       return false;
-    case StepEvent::eyeAbove:
-      return after.camera.eye.z > condition.value;
-    case StepEvent::eyeAway:
-      return glm::length(after.camera.eye - middleOf(after.optic.shape())) > condition.value;
-    case StepEvent::keptEye:
-      return after.camera.eye == before.camera.eye;
-    case StepEvent::depthScaleAbove:
-      return after.sculpture.depthScale > condition.value;
-    case StepEvent::depthScaleBelow:
-      return after.sculpture.depthScale < condition.value;
-    case StepEvent::depthOffsetAbove:
-      return after.sculpture.depthOffset > condition.value;
-    case StepEvent::depthOffsetBelow:
-      return after.sculpture.depthOffset < condition.value;
-    case StepEvent::caustic:
-      return move.caustic || start.caustic;
     case StepEvent::pickedEnds:
       return move.ends.has_value();
     case StepEvent::wiped:
       return move.wipe.has_value();
     case StepEvent::frozen:
       return move.freeze || start.freeze || before.sculpture.frozen;
+    case StepEvent::movedEye:
+    case StepEvent::depthScaleChanged:
+    case StepEvent::toleranceOff:
+    case StepEvent::toleranceOn:
+    case StepEvent::putRight:
+    case StepEvent::eyeAbove:
+    case StepEvent::eyeAway:
+    case StepEvent::keptEye:
+    case StepEvent::depthScaleAbove:
+    case StepEvent::depthScaleBelow:
+    case StepEvent::depthOffsetAbove:
+    case StepEvent::depthOffsetBelow:
     case StepEvent::verticesBelow:
     case StepEvent::matchAbove:
     case StepEvent::matchBelow:
@@ -116,7 +104,7 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
     case StepEvent::foldedShareBelow:
       break;
   }
-  return true;
+  return held;
 }
 
 // That what the move picks is there.
