@@ -13,11 +13,7 @@ struct FileFields : SomeShapeFields {
 
 void changeFiles(Optic& optic, const std::function<void(SurfaceFile&)>& change) {
   FileFields fields(change);
-  for (OpticPart& part : optic.parts) {
-    Shape changed = part.shape;
-    visitFields(changed, fields);
-    if (!(changed == part.shape)) part.shape = changed;
-  }
+  for (OpticPart& part : optic.parts) visitFields(part.shape, fields);
 }
 
 }  // namespace

@@ -148,6 +148,7 @@ const char* shaderOf(const Shape& shape) {
 void visitFields(Shape& shape, ShapeFields& fields) {
   const auto copy = shape.any_->copy();
   copy->visitFields(fields);
+  if (copy->equals(*shape.any_)) return;  // what was prepared of it stays
   shape = Shape(copy, shape.clip());
 }
 
