@@ -100,7 +100,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"cone", "points"}, Case{"dish", "cube", true}, Case{"dish", "points", true},
                       Case{"floor-mirror", "cube"}, Case{"floor-mirror", "points"},
                       Case{"paraboloid", "cube"}, Case{"paraboloid", "points"}, Case{"mesh", "cube"},
-                      Case{"mesh", "points"}),
+                      Case{"mesh", "points"}, Case{"vase", "cube"}, Case{"vase", "points"},
+                      Case{"wavy-wall", "cube"}, Case{"wavy-wall", "points"}, Case{"patch", "box"},
+                      Case{"patch", "cube"}, Case{"patch", "points"}),
     [](const auto& each) {
       std::string name = std::string(each.param.scene) + "_" + each.param.model;
       std::replace(name.begin(), name.end(), '-', '_');
