@@ -13,8 +13,8 @@ std::vector<CausticPoint> findCaustic(const VertexMap& map, const PointArray& or
   for (std::size_t i = 0; i < asked; ++i) {
     const Point& target = original[i * original.size() / asked];
     const auto ray = exitRayTowards(map, target);
-    const auto bundle = bundleAround(map, target);
-    if (!ray || !bundle) continue;
+    const auto bundle = ray ? bundleAround(map, *ray, target) : std::nullopt;
+    if (!bundle) continue;
     bool second = false;
     for (const double focus : bundle->foci()) {
       if (focus > farthest * ray->distance) break;

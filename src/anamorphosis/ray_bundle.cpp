@@ -71,11 +71,10 @@ std::vector<double> RayBundle::foci() const {
   return found;
 }
 
-std::optional<RayBundle> bundleAround(const VertexMap& map, const Point& target, double step) {
-  const auto middle = exitRayTowards(map, target);
-  if (!middle) return std::nullopt;
+std::optional<RayBundle> bundleAround(const VertexMap& map, const ExitRay& ray, const Point& target,
+                                      double step) {
   const double away = step * glm::length(target - map.eye);
-  const Direction x = perpendicular(middle->sent), y = glm::cross(middle->sent, x);
+  const Direction x = perpendicular(ray.sent), y = glm::cross(ray.sent, x);
   std::array<RayBundle::Side, 2> sides;
   for (std::size_t i = 0; i < 2; ++i) {
     const Vector aside = away * (i == 0 ? x : y);
@@ -83,7 +82,12 @@ std::optional<RayBundle> bundleAround(const VertexMap& map, const Point& target,
     if (!before || !after) return std::nullopt;
     sides[i] = RayBundle::between(*before, *after);
   }
-  return RayBundle(sides[0], sides[1], middle->sent, middle->onward, middle->distance);
+  return RayBundle(sides[0], sides[1], ray.sent, ray.onward, ray.distance);
+}
+
+std::optional<RayBundle> bundleAround(const VertexMap& map, const Point& target, double step) {
+  const auto ray = exitRayTowards(map, target);
+  return ray ? bundleAround(map, *ray, target, step) : std::nullopt;
 }
 
 }  // namespace anamorph

@@ -45,7 +45,8 @@ class RayBundle {
   std::vector<double> foci() const;
 
  private:
-  friend std::optional<RayBundle> bundleAround(const VertexMap& map, const Point& target, double step);
+  friend std::optional<RayBundle> bundleAround(const VertexMap& map, const ExitRay& ray, const Point& target,
+                                               double step);
   // Two sides of the bundle: how its rays differ at the eye, on the optic and beyond it.
   struct Side {
     Vector sent, exit, onward;
@@ -61,6 +62,8 @@ class RayBundle {
 
 /// The bundle around the ray from the eye towards a point: of four rays beside it, `step` radians away, so that the
 /// differences are right to its square. Nothing when one of them does not come through the optic.
+std::optional<RayBundle> bundleAround(const VertexMap& map, const ExitRay& ray, const Point& target,
+                                      double step = 1e-5);
 std::optional<RayBundle> bundleAround(const VertexMap& map, const Point& target, double step = 1e-5);
 
 }  // namespace anamorph

@@ -116,7 +116,7 @@ void takeModel(HeadlessGui& headless, const std::filesystem::path& model, const 
 void screenshot(const ScreenshotOptions& options, const CommonOptions& common) {
   Output output = pictureOutput(options.output, common);
   checkInputs(options.level, options.model);
-  auto [path, loaded] = readLevelInput(options.level);
+  auto [path, loaded] = readLevelInput(options.level, common.meshLimits());
   checkStep(options.step, loaded.lesson);
   const std::string& read = isStandardInput(options.level) ? options.level : path;
   checkOutputs(filesRead(read, loaded.level, options.model), {&output, 1}, common.noClobber);

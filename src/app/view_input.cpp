@@ -23,13 +23,6 @@ std::optional<std::size_t> treeOf(const Editor& editor) {
   return static_cast<std::size_t>(editor.cell->row) * columns + editor.cell->column;
 }
 
-std::vector<Line> causticLines(const Editor& editor) {
-  constexpr std::size_t bundles = 600;
-  const LevelResult& result = editor.updater.result();
-  if (!editor.display.caustic || result.problem || !result.source) return {};
-  return makeCausticLines(findCaustic(makeVertexMap(result.level), result.source->positions, bundles));
-}
-
 // Where a looped animation is.
 double playTime(const Editor& editor, const ShownRays& rays) {
   const double length = rays.animationSeconds(editor.rays), pause = 0.8;
@@ -83,8 +76,16 @@ void stepRays(Editor& editor, const ShownRays& rays) {
   }
 }
 
-std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays) {
-  const LevelScene& level = editor.updater.result().level;
+const std::vector<Line>& CausticStage::at(const LevelResult& result) {
+  return memo_.get({makeVertexMap(result.level), result.source}, [](const Input& input) {
+    constexpr std::size_t bundles = 600;
+    return makeCausticLines(findCaustic(input.map, input.source->positions, bundles));
+  });
+}
+
+std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays, CausticStage& caustic) {
+  const LevelResult& result = editor.updater.result();
+  const LevelScene& level = result.level;
   const DisplaySettings display = shown(editor.display);
   std::vector<Line> lines;
   if (display.rtCamera) {
@@ -97,7 +98,7 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
     append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
   if (display.alone != ShownAlone::nothing) return lines;
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
-  append(lines, causticLines(editor));
+  if (editor.display.caustic && !result.problem && result.source) append(lines, caustic.at(result));
   for (const auto* construction : {&currentConstruction(editor), &earlierConstruction(editor)}) {
     if (*construction) append(lines, makeConstructionLines(**construction));
   }
@@ -107,7 +108,7 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
 ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const ShownRays& rays,
                                    bool transparent) {
   const LevelResult& result = editor.updater.result();
-  std::vector<Line> lines = makeLines(editor, ui, rays);
+  std::vector<Line> lines = makeLines(editor, ui, rays, caustic_);
   if (!lines_ || *lines_ != lines) lines_ = std::make_shared<const std::vector<Line>>(std::move(lines));
   ViewportInput input;
   input.width = editor.viewWidth;

@@ -7,6 +7,7 @@
 
 #include "edit/editor.h"
 #include "panels/ui_state.h"
+#include "pipeline/memo.h"
 #include "viewport/ray_lines.h"
 #include "viewport/viewport_input.h"
 
@@ -34,14 +35,29 @@ class ShownRays {
 /// Takes the step that editor.rayStep asks for: pauses the animation where the next or the last piece ends.
 void stepRays(Editor& editor, const ShownRays& rays);
 
-/// All lines of the view: rays, RT camera, construction.
-std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays);
+/// The caustic as it is shown, kept as long as nothing changes that makes it.
+class CausticStage {
+ public:
+  const std::vector<Line>& at(const LevelResult& result);
+
+ private:
+  struct Input {
+    VertexMap map;
+    std::shared_ptr<const Mesh> source;
+    bool operator==(const Input&) const = default;
+  };
+  Memo<Input, std::vector<Line>> memo_;
+};
+
+/// All lines of the view: rays, RT camera, construction, caustic.
+std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& rays, CausticStage& caustic);
 
 class ViewInputMaker {
  public:
   ViewportInput make(Editor& editor, const UiState& ui, const ShownRays& rays, bool transparent);
 
  private:
+  CausticStage caustic_;
   std::shared_ptr<const std::vector<Line>> lines_;  // the last ones: the same lines keep their pointer
 };
 

@@ -117,7 +117,8 @@ void WindowFiles::stopOffering() {
 // What it was rescued from is what it is kept in from now on.
 void WindowFiles::restore(Rescued& rescued, std::optional<LevelFile> file) {
   Editor& editor = gui_.editor();
-  readMirrorFiles(rescued.level, file ? file->loaded.level : Level(), rescued.path);
+  if (takeMirrorFiles(rescued.level, file ? file->loaded.level : Level()))
+    readMirrorFiles(rescued.level, rescued.path);
   editor.session.recover(rescued.path, std::move(file), rescued.level, rescued.fileTime);
   lookAfresh(editor);
   autosave_.adopt(std::move(rescued));

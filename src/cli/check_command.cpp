@@ -130,7 +130,7 @@ void checkStandardInput(const CommonOptions& common, Finding& finding) {
   const FileBytes bytes = readStandardInput(limits.maxBytes, MeshLimits::bytesHelp);
   const std::string name = standardInputName;
   if (looksLikeJson(bytes.view())) {
-    checkLoaded(name, withMirrors(parseLevel(bytes.view(), name), name), common, finding);
+    checkLoaded(name, withMirrors(parseLevel(bytes.view(), name), name, limits), common, finding);
   } else {
     checkMesh(readMesh(bytes.view(), name, limits), name, finding);
   }
@@ -141,7 +141,7 @@ void checkFile(const std::string& file, const CommonOptions& common, Finding& fi
   checkInput(file);
   if (isModelFile(file)) return checkMesh(loadMesh(file, common.meshLimits()), file, finding);
   const std::string path = findLevel(file).string();
-  checkLoaded(path, withMirrors(loadLevel(path), path), common, finding);
+  checkLoaded(path, withMirrors(loadLevel(path), path, common.meshLimits()), common, finding);
 }
 
 JsonValue faultsJson(const Error& error) {

@@ -128,8 +128,8 @@ bool isStandardInput(const std::string& name) {
   return name == "-";
 }
 
-LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path) {
-  for (std::string& warning : readMirrorFiles(loaded.level, path))
+LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path, const MeshLimits& limits) {
+  for (std::string& warning : readMirrorFiles(loaded.level, path, limits))
     loaded.warnings.push_back(std::move(warning));
   return loaded;
 }
@@ -143,14 +143,14 @@ std::filesystem::path levelNamed(const std::string& name) {
   }
 }
 
-std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name) {
+std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name, const MeshLimits& limits) {
   if (isStandardInput(name)) {
     return {standardInputName,
             withMirrors(parseLevel(readStandardInput(maxLevelBytes).view(), standardInputName),
-                        standardInputName)};
+                        standardInputName, limits)};
   }
   const std::string path = levelNamed(name).string();
-  return {path, withMirrors(loadLevel(path), path)};
+  return {path, withMirrors(loadLevel(path), path, limits)};
 }
 
 void checkInputs(const std::string& level, const std::string& model) {
@@ -186,7 +186,7 @@ Input loadInput(const InputOptions& options, const CommonOptions& common, std::s
                      options.file);
   }
   checkInputs(options.file, options.model);
-  auto [path, loaded] = readLevelInput(options.file);
+  auto [path, loaded] = readLevelInput(options.file, common.meshLimits());
   const std::string& read = isStandardInput(options.file) ? options.file : path;
   checkOutputs(filesRead(read, loaded.level, options.model), outputs, common.noClobber);
   sayWarnings(common, loaded.warnings);

@@ -62,9 +62,9 @@ bool isStandardInput(const std::string& name);
 std::filesystem::path levelNamed(const std::string& name);
 /// The level or scene of that name: a file, an installed one, or standard input, and what the file is called. Throws
 /// Error, and UsageError as levelNamed().
-std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name);
+std::pair<std::string, LoadedLevel> readLevelInput(const std::string& name, const MeshLimits& limits);
 /// A level that was read, with the meshes of its mirrors and what there is to say of them; it is in the file `path`.
-LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path);
+LoadedLevel withMirrors(LoadedLevel loaded, const std::string& path, const MeshLimits& limits);
 /// Throws UsageError when both are standard input, Error for pipes.
 void checkInputs(const std::string& level, const std::string& model);
 /// Throws Error for a pipe, such as <(...) makes: those are read as standard input.

@@ -13,7 +13,6 @@
 #include "level/level_library.h"
 #include "level/limits.h"
 #include "level/surface_files.h"
-#include "pipeline/mirror_files.h"
 
 namespace anamorph {
 namespace {
@@ -123,7 +122,6 @@ SentLevel levelFromText(const std::string& text, const Level& open, const fs::pa
       file = {known->path, known->obj, known->obj->empty() ? file.up : known->up};
     }
   }
-  readMirrorFiles(sent.level, open, path);
   return sent;
 }
 

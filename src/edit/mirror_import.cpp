@@ -7,7 +7,6 @@
 #include "base/language.h"
 #include "base/text.h"
 #include "level/limits.h"
-#include "level/surface_files.h"
 #include "optics/shape_table.h"
 #include "pipeline/mirror_files.h"
 #include "pipeline/original.h"
@@ -21,6 +20,21 @@ Shape shapeOfFile(const ShapeExtent& room, const Point& eye) {
       std::find_if(shapeTypes().begin(), shapeTypes().end(), [](const ShapeType& t) { return t.needsFile; });
   CHECK(type != shapeTypes().end());
   return type->filling(room, eye);
+}
+
+// Whether it waits for its file: what it says of it is that it could not be read.
+bool isWithoutFile(Shape shape) {
+  return shapeTypes()[shapeIndex(shape)].needsFile && findShapeProblem(shape);
+}
+
+// With another file, which has not been read yet.
+void nameFile(Shape& shape, const std::string& name) {
+  struct Files : SomeShapeFields {
+    explicit Files(const std::string& path) : path(path) {}
+    void file(const FieldName&, SurfaceFile& value) override { value = {.path = path, .mesh = nullptr, .problem = {}}; }
+    const std::string& path;
+  } files(name);
+  visitFields(shape, files);
 }
 
 Shape fitted(const Shape& shape, const Box& room) {
@@ -38,10 +52,8 @@ EditResult importMirror(const MirrorImport& import, const Level& level, const Pr
   const Shape& old = level.optic.shape();
   Level result = level;
   Shape& mirror = result.optic.shape();
-  mirror = shapeOfFile(extentOf(old), level.camera.eye);
-  changeSurfaceFiles(result, [&](SurfaceFile& file) {
-    if (file.path.empty()) file.path = import.name;
-  });
+  if (!isWithoutFile(old)) mirror = shapeOfFile(extentOf(old), level.camera.eye);
+  nameFile(mirror, import.name);
   const auto warnings = readMirrorFiles(result, import.levelPath, {}, &progress.token);
   if (const auto problem = findShapeProblem(mirror)) throw Error(*problem);
   if (!findShapeProblem(old)) mirror = fitted(mirror, boxOf(old));

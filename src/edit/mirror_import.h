@@ -1,4 +1,5 @@
-// A mesh file whose surface takes the mirror's place: read, and fitted into the box of the mirror that was there.
+// A mesh file whose surface takes the mirror's place: read, and fitted into the box of the mirror that was there. One
+// whose file was missing stays as it stood.
 #pragma once
 
 #include <filesystem>

@@ -105,6 +105,7 @@ class AnyShape {
 
   virtual const char* name() const = 0;
   virtual std::optional<SurfaceHit> intersect(const Ray& ray, double tMin) const = 0;
+  virtual bool meetsBetween(const Ray& ray, double tMin, double tMax) const = 0;
   virtual std::size_t exitPoints(const ExitBlock& block) const = 0;
   virtual bool seesConvexSide(const Point& eye) const = 0;
   virtual std::optional<Direction> publishedNormal(const Point& point) const = 0;
@@ -164,6 +165,14 @@ class ShapeOf final : public AnyShape {
       return shape_.intersect(ray, tMin);
     }
   }
+  bool meetsBetween(const Ray& ray, double tMin, double tMax) const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.meetsBetween(p, ray, tMin, tMax); }) {
+      return shape_.meetsBetween(prepared(), ray, tMin, tMax);
+    } else {
+      const auto hit = intersect(ray, tMin);
+      return hit && hit->t < tMax;
+    }
+  }
   std::size_t exitPoints(const ExitBlock& block) const override {
     if constexpr (requires { shape_.hollowBounceFrom(block.eye); }) {
       if (!shape_.seesConvexSide(block.eye)) return followBlock(shape_.hollowBounceFrom(block.eye), block);
@@ -208,6 +217,8 @@ class ShapeOf final : public AnyShape {
   Box box() const override {
     if constexpr (requires(const S& s, const Prepared& p) { s.box(p); }) {
       return shape_.box(prepared());
+    } else if constexpr (PreparedShape<S>) {  // of a spline it is a search
+      return box_.get([this] { return shape_.box(); });
     } else {
       return shape_.box();
     }
@@ -316,6 +327,7 @@ class ShapeOf final : public AnyShape {
 
   S shape_;  // never changes once something has been prepared of it: a Shape changes copies only
   Lazy<Prepared> prepared_;
+  Lazy<Box> box_;
 };
 
 }  // namespace anamorph

@@ -136,7 +136,7 @@ std::optional<std::string> ExtrusionMirror::findCurveProblem() const {
 std::optional<std::string> ExtrusionMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
   const double size = std::max(prepared.size, height);
   const Vector at = inFrame(prepared.axes, eye - prepared.base);
-  if (auto problem = findFarEyeProblem(glm::length(at), size)) return problem;
+  if (auto problem = findDistanceProblem(glm::length(at), size, "size")) return problem;
   const double tolerance = shapeTolerance * size;
   if (!(at.z >= -tolerance && at.z <= height + tolerance)) return std::nullopt;
   if (!comesNear(prepared.curve, CurvePoint(at), tolerance)) return std::nullopt;

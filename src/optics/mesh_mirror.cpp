@@ -85,7 +85,7 @@ std::optional<std::string> MeshMirror::findProblem() const {
 }
 
 std::optional<std::string> MeshMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
-  return findDistanceProblem(glm::length(eye - prepared.middle), 0.5 * prepared.box.diagonal());
+  return findDistanceProblem(glm::length(eye - prepared.middle), 0.5 * prepared.box.diagonal(), "size");
 }
 
 Point MeshMirror::eyeOutside(const Prepared& prepared, const Point& eye, const Point& original) const {

@@ -41,6 +41,18 @@ std::optional<OpticHit> nearestOf(const Optic& optic, const Ray& ray, double tMi
   return nearest;
 }
 
+// At which the ray that leaves a path is off the surface that it leaves.
+double offItsSurface(const OpticPath& path) {
+  return sameSurfaceGap * std::max(1.0, path.travelled);
+}
+
+bool meetsAgain(const Optic& optic, const OpticPath& path, double exitLength) {
+  const double from = offItsSurface(path);
+  return exitLength > from && std::any_of(optic.parts.begin(), optic.parts.end(), [&](const OpticPart& part) {
+           return traitsOf(part.kind).visible && meetsBetween(part.shape, path.exit, from, exitLength);
+         });
+}
+
 // Where a normal is a mean of its neighbours', it may send a ray to the other side of its own flat piece.
 bool leavesIntoItsFacet(const SurfaceHit& hit, const Vector& before, const Vector& after) {
   return hit.facet != Vector(0) && glm::dot(before, hit.facet) * glm::dot(after, hit.facet) >= 0;
@@ -121,7 +133,7 @@ OpticPath followRay(const Optic& optic, const Ray& sent) {
   Ray ray = sent;
   const double length = glm::length(sent.direction);
   for (std::size_t part = 0; part < optic.parts.size(); ++part) {
-    const double tMin = part == 0 ? 0 : sameSurfaceGap * std::max(1.0, path.travelled);
+    const double tMin = part == 0 ? 0 : offItsSurface(path);
     const auto hit = intersect(optic, ray, tMin);
     if (!hit || hit->part != part) {  // another part, or nothing, comes next: this is no way through
       path.pointCount = 0;
@@ -153,12 +165,12 @@ PathStatus statusOf(const Optic& optic, const OpticPath& path, double exitLength
   }
   if (path.travelled > 1) return PathStatus::inFrontOfMirror;
   if (path.sine < grazingSine) return PathStatus::grazing;
-  return freeLength(optic, path) < exitLength ? PathStatus::hitsMirrorAgain : PathStatus::mapped;
+  return meetsAgain(optic, path, exitLength) ? PathStatus::hitsMirrorAgain : PathStatus::mapped;
 }
 
 double freeLength(const Optic& optic, const OpticPath& path) {
   if (!path.bends) return std::numeric_limits<double>::infinity();
-  const auto again = intersectVisible(optic, path.exit, sameSurfaceGap * std::max(1.0, path.travelled));
+  const auto again = intersectVisible(optic, path.exit, offItsSurface(path));
   return again ? again->t : std::numeric_limits<double>::infinity();
 }
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/language.h"
-#include "optics/spline_ray.h"
 
 namespace anamorph {
 namespace {
@@ -158,12 +157,12 @@ PatchMirror::Prepared PatchMirror::prepare() const {
   return prepared;
 }
 
-std::optional<SurfaceHit> PatchMirror::intersect(const Prepared& prepared, const Ray& ray,
-                                                 double tMin) const {
+std::optional<SurfaceHit> PatchMirror::firstHit(const Prepared& prepared, const Ray& ray, double tMin,
+                                                const Stretch& within) const {
   if (prepared.cells.empty()) return std::nullopt;
   const FrameRay local = rayInFrame(ray, origin, prepared.axes);
   const double extent = std::max(size[0], size[1]), slack = 1e-9 * extent;
-  Stretch stretch;
+  Stretch stretch = within.countedFrom(local.start);
   stretch.keepBetween(local.at.x, local.direction.x, 0, size[0]);
   stretch.keepBetween(local.at.y, local.direction.y, 0, size[1]);
   stretch.keepBetween(local.at.z, local.direction.z, prepared.least - slack, prepared.greatest + slack);
@@ -252,7 +251,7 @@ std::optional<std::string> PatchMirror::findProblem() const {
 std::optional<std::string> PatchMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
   const Vector at = inFrame(prepared.axes, eye - origin);
   const double extent = std::max(size[0], size[1]), tolerance = shapeTolerance * extent;
-  if (auto problem = findFarEyeProblem(glm::length(at), extent)) return problem;
+  if (auto problem = findDistanceProblem(glm::length(at), extent, "size")) return problem;
   const double x = std::clamp(at.x, 0.0, size[0]), y = std::clamp(at.y, 0.0, size[1]);
   if (std::hypot(at.x - x, at.y - y) > tolerance) return std::nullopt;
   const auto [height, slopeX, slopeY] = placeAt(x, y);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "math/uniform_spline.h"
-#include "optics/shape_helpers.h"
+#include "optics/spline_ray.h"
 
 namespace anamorph {
 
@@ -60,7 +60,12 @@ struct PatchMirror {
     }
   };
   Prepared prepare() const;
-  std::optional<SurfaceHit> intersect(const Prepared& prepared, const Ray& ray, double tMin) const;
+  std::optional<SurfaceHit> intersect(const Prepared& prepared, const Ray& ray, double tMin) const {
+    return firstHit(prepared, ray, tMin, {});
+  }
+  bool meetsBetween(const Prepared& prepared, const Ray& ray, double tMin, double tMax) const {
+    return firstHit(prepared, ray, tMin, {tMin, tMax}).has_value();
+  }
 
   // ---- What can be wrong
 
@@ -94,6 +99,9 @@ struct PatchMirror {
   ShapeWords words(LengthText text) const;
 
  private:
+  /// The first crossing at t > tMin of a stretch of the ray.
+  std::optional<SurfaceHit> firstHit(const Prepared& prepared, const Ray& ray, double tMin,
+                                     const Stretch& within) const;
   struct Place {
     double height, slopeX, slopeY;
   };

@@ -7,7 +7,6 @@
 
 #include "base/language.h"
 #include "math/quadratic.h"
-#include "optics/spline_ray.h"
 
 namespace anamorph {
 namespace {
@@ -34,8 +33,7 @@ Bernstein<6> squared(const Cubic& p) {
 }
 
 // Where the ray is between both ends and not farther out than the widest place.
-Stretch stretchNear(const Prepared& prepared, const FrameRay& ray) {
-  Stretch stretch;
+Stretch stretchNear(const Prepared& prepared, const FrameRay& ray, Stretch stretch) {
   stretch.keepBetween(ray.at.z, ray.direction.z, 0, prepared.height);
   const double a = ray.direction.x * ray.direction.x + ray.direction.y * ray.direction.y;
   const double b = ray.at.x * ray.direction.x + ray.at.y * ray.direction.y;
@@ -90,11 +88,11 @@ RevolutionMirror::Prepared RevolutionMirror::prepare() const {
   return prepared;
 }
 
-std::optional<SurfaceHit> RevolutionMirror::intersect(const Prepared& prepared, const Ray& ray,
-                                                      double tMin) const {
+std::optional<SurfaceHit> RevolutionMirror::firstHit(const Prepared& prepared, const Ray& ray, double tMin,
+                                                     const Stretch& within) const {
   if (prepared.spans.empty()) return std::nullopt;
   const FrameRay local = rayInFrame(ray, bottom, prepared.axes);
-  const Stretch stretch = stretchNear(prepared, local);
+  const Stretch stretch = stretchNear(prepared, local, within.countedFrom(local.start));
   const double nearest = tMin - local.start;
   const double overlap = pieceOverlap * (prepared.height + prepared.widest) / glm::length(local.direction);
   if (stretch.empty() || stretch.to + overlap <= nearest) return std::nullopt;

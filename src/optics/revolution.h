@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "math/uniform_spline.h"
-#include "optics/shape_helpers.h"
+#include "optics/spline_ray.h"
 
 namespace anamorph {
 
@@ -53,7 +53,12 @@ struct RevolutionMirror {
     ValueAndSlope radiusAt(double h) const;
   };
   Prepared prepare() const;
-  std::optional<SurfaceHit> intersect(const Prepared& prepared, const Ray& ray, double tMin) const;
+  std::optional<SurfaceHit> intersect(const Prepared& prepared, const Ray& ray, double tMin) const {
+    return firstHit(prepared, ray, tMin, {});
+  }
+  bool meetsBetween(const Prepared& prepared, const Ray& ray, double tMin, double tMax) const {
+    return firstHit(prepared, ray, tMin, {tMin, tMax}).has_value();
+  }
 
   // ---- What can be wrong
 
@@ -87,6 +92,9 @@ struct RevolutionMirror {
   ShapeWords words(LengthText text) const;
 
  private:
+  /// The first crossing at t > tMin of a stretch of the ray.
+  std::optional<SurfaceHit> firstHit(const Prepared& prepared, const Ray& ray, double tMin,
+                                     const Stretch& within) const;
   int spanCount() const;
 };
 

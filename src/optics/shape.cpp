@@ -70,6 +70,12 @@ std::optional<SurfaceHit> intersect(const Shape& shape, const Ray& ray, double t
   return hit;
 }
 
+bool meetsBetween(const Shape& shape, const Ray& ray, double tMin, double tMax) {
+  if (shape.clip().empty()) return shape->meetsBetween(ray, tMin, tMax);
+  const auto hit = intersect(shape, ray, tMin);
+  return hit && hit->t < tMax;
+}
+
 bool seesConvexSide(const Shape& shape, const Point& eye) {
   return shape.clip().empty() && shape->seesConvexSide(eye);  // a cut shows the inner wall
 }

@@ -79,6 +79,9 @@ class Shape {
 /// The first hit at t > tMin; nothing when the ray misses. Both sides of a surface reflect.
 std::optional<SurfaceHit> intersect(const Shape& shape, const Ray& ray, double tMin = 0);
 
+/// Whether it meets it at tMin < t < tMax, for ends that are plainly beside the surface: quicker than to find where.
+bool meetsBetween(const Shape& shape, const Ray& ray, double tMin, double tMax);
+
 /// Whether all that this eye sees of it bulges towards the eye: its rays go apart, and none meets the surface twice.
 bool seesConvexSide(const Shape& shape, const Point& eye);
 

@@ -34,12 +34,12 @@ std::optional<std::string> findRadiusProblem(double radius) {
   return trFormat("expected a radius > 0, got {}", radius);
 }
 
-std::optional<std::string> findDistanceProblem(double distance, double radius) {
-  if (!(distance > radius * farthestEye)) return std::nullopt;
+std::optional<std::string> findDistanceProblem(double distance, double size, const char* name) {
+  if (!(distance > size * farthestEye)) return std::nullopt;
   return trFormat(
-      "the mirror's radius {:.3g} is too small for an eye that is {:.3g} away: nothing could "
-      "be seen in it. Make the radius larger, or move the eye nearer.",
-      radius, distance);
+      "the mirror's {0} {1:.3g} is too small for an eye that is {2:.3g} away: nothing could be seen in it. "
+      "Make the {0} larger, or move the eye nearer.",
+      tr(name), size, distance);
 }
 
 std::optional<std::string> findContactProblem(double gap, double size) {
@@ -47,14 +47,6 @@ std::optional<std::string> findContactProblem(double gap, double size) {
   return tr(
       "the eye is on the surface of the mirror, from where nothing is seen in it. Move the eye away from the "
       "surface, to either side.");
-}
-
-std::optional<std::string> findFarEyeProblem(double distance, double size) {
-  if (!(distance > size * farthestEye)) return std::nullopt;
-  return trFormat(
-      "the mirror's size {:.3g} is too small for an eye that is {:.3g} away: nothing could be seen in it. "
-      "Make the mirror larger, or move the eye nearer.",
-      size, distance);
 }
 
 std::optional<std::string> findLengthProblem(const char* name, double length) {

@@ -34,16 +34,15 @@ double fillingRadius(const ShapeExtent& room, const Point& eye, double narrowing
 /// The box of two discs that face each other.
 Box boxOfDiscs(const Point& a, double radiusA, const Point& b, double radiusB);
 
-/// What is wrong with a radius; with an eye at this distance from a thing of this radius.
+/// What is wrong with a radius; with a length that has a name.
 std::optional<std::string> findRadiusProblem(double radius);
-std::optional<std::string> findDistanceProblem(double distance, double radius);
+std::optional<std::string> findLengthProblem(const char* name, double length);
+
+/// What is wrong with an eye at this distance from a thing whose radius, or whatever is named, is so large.
+std::optional<std::string> findDistanceProblem(double distance, double size, const char* name = "radius");
 
 /// What is wrong with an eye at this distance from a curved surface of this size: it is on it.
 std::optional<std::string> findContactProblem(double gap, double size);
-
-/// The same as findDistanceProblem with a thing that is not round; what is wrong with a length that has a name.
-std::optional<std::string> findFarEyeProblem(double distance, double size);
-std::optional<std::string> findLengthProblem(const char* name, double length);
 
 /// A direction at a point, of any length, as a map turns it: as long as before, and the very same when it is not turned.
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way);

@@ -49,6 +49,7 @@ struct Stretch {
   double to = std::numeric_limits<double>::infinity();
 
   bool empty() const { return !(from <= to); }
+  Stretch countedFrom(double start) const { return {from - start, to - start}; }
 
   /// Keeps where `value` + way * `slope` is between two bounds.
   void keepBetween(double value, double slope, double low, double high) {

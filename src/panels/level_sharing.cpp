@@ -9,12 +9,14 @@
 
 #include "base/error.h"
 #include "base/language.h"
+#include "base/text.h"
 #include "edit/level_files.h"
 #include "edit/replacements.h"
 #include "level/freeze.h"
 #include "level/level_json.h"
 #include "panels/file_browser.h"
 #include "panels/let_go.h"
+#include "pipeline/mirror_files.h"
 
 namespace anamorph {
 namespace {
@@ -52,6 +54,23 @@ const FileShape* fileOf(const Level& level) {
   return std::get_if<FileShape>(&level.original.shape);
 }
 
+// In place of the open one, as one step. Meshes of mirrors that the open one has not got are read first, beside the window.
+void takeLevel(Editor& editor, Level level, std::string message) {
+  if (!takeMirrorFiles(level, editor.session.level())) {
+    editor.session.edit(std::move(level));
+    editor.status.sayOf(editor.session.level(), std::move(message));
+    return;
+  }
+  editor.session.finishChange();
+  editor.job.start(editor.session, tr("Reading the mirror's mesh"),
+                   [taken = std::move(level), path = editor.session.path(), message = std::move(message)](
+                       const Level&, const Progress& progress) {
+                     Level read = taken;
+                     const auto warnings = readMirrorFiles(read, path, {}, &progress.token);
+                     return EditResult{std::move(read), withRemarks(message, warnings)};
+                   });
+}
+
 }  // namespace
 
 void copyLevel(Editor& editor) {
@@ -87,9 +106,8 @@ void pasteLevel(Editor& editor, UiState& ui) {
       ui.meshQuestion = MeshQuestion{std::move(sent.level), *missing};
       return;
     }
-    editor.session.edit(std::move(sent.level));
-    editor.status.sayOf(editor.session.level(),
-                        joined(tr("The level has been pasted; Ctrl+Z takes it back."), mended));
+    takeLevel(editor, std::move(sent.level),
+              joined(tr("The level has been pasted; Ctrl+Z takes it back."), mended));
   } catch (const Error& error) {
     ui.notice = Notice{"There is no level on the clipboard", error.what()};
   }
@@ -112,9 +130,7 @@ void giveMesh(const fs::path& mesh, Editor& editor, UiState& ui) {
   ui.meshQuestion.reset();
   auto& file = std::get<FileShape>(level.original.shape);
   file = {.path = meshNameFor(mesh, editor.session.path()), .up = file.up};
-  editor.session.edit(std::move(level));
-  editor.status.sayOf(editor.session.level(),
-                      trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string()));
+  takeLevel(editor, std::move(level), trFormat("The original is {}; Ctrl+Z takes it back.", mesh.string()));
 }
 
 void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui) {
@@ -124,9 +140,8 @@ void answerMeshQuestion(MeshQuestion::Answer answer, Editor& editor, UiState& ui
                        editor.session.isInstalled() ? fs::path() : editor.session.path());
   const MeshQuestion question = *std::exchange(ui.meshQuestion, std::nullopt);
   if (answer == Answer::cancel) return;
-  editor.session.edit(withStandIn(question.level));
-  editor.status.sayOf(editor.session.level(), trFormat("A pawn stands in for {}; Ctrl+Z takes it back.",
-                                                       question.mesh.filename().string()));
+  takeLevel(editor, withStandIn(question.level),
+            trFormat("A pawn stands in for {}; Ctrl+Z takes it back.", question.mesh.filename().string()));
 }
 
 }  // namespace anamorph

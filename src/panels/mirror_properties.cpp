@@ -191,6 +191,7 @@ void drawMirrorProperties(Editor& editor, UiState& ui) {
     }
     changed |= shapeChoice(shape, editor, ui);
     changed |= shapeRows(shape, editor.selection);
+    if (shapeTypes()[shapeIndex(shape)].needsFile && wideButton("Another mesh...")) chooseMirror(editor, ui);
     problemText(ui, findShapeProblem(shape).value_or(""));
   }
   if (section(ui, "Cuts", !shape.clip().empty())) changed |= cutRows(shape);

@@ -284,7 +284,7 @@ void drawView(Editor& editor, UiState& ui) {
   drawViewSigns(editor, ui);
   drawViewProblem(ui);
   drawPausedRays(editor, ui);
-  if (ui.preferences.legend && editor.rays.show && !alone) drawLegend(editor, ui);
+  if (ui.preferences.legend && !alone) drawLegend(editor, ui);
 }
 
 }  // namespace anamorph

@@ -10,6 +10,8 @@
 
 #include "base/language.h"
 #include "edit/level_repairs.h"
+#include "optics/shape_table.h"
+#include "panels/file_flow.h"
 #include "panels/help_buttons.h"
 #include "panels/highlight.h"
 #include "panels/level_sharing.h"
@@ -84,6 +86,11 @@ void sceneRepairs(Editor& editor) {
 void repairButtons(Editor& editor, UiState& ui) {
   const bool isRead = editor.updater.result().shape != nullptr;
   if (isRead) sceneRepairs(editor);
+  const Shape& mirror = editor.session.level().optic.shape();
+  if (shapeTypes()[shapeIndex(mirror)].needsFile && findShapeProblem(mirror)) {
+    if (ImGui::Button(tr("Look for the mirror's mesh..."))) chooseMirror(editor, ui);
+    ImGui::SameLine();
+  }
   if (!isRead && std::holds_alternative<FileShape>(editor.session.level().original.shape)) {
     if (ImGui::Button(tr("Look for the mesh..."))) askForMesh(editor, ui);
     ImGui::SameLine();
@@ -113,6 +120,39 @@ void legendLine(const UiState& ui, const LineLook& look) {
   ImGui::Dummy({width, height});
   ImGui::SameLine();
   ImGui::TextUnformatted(tr(look.legend));
+}
+
+// The caustic's dots.
+void legendDot(const UiState& ui, const Rgb& color, const char* name) {
+  const float height = ImGui::GetTextLineHeight(), width = scaled(ui, 34);
+  const ImVec2 p = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({p.x + width / 2, p.y + height / 2}, scaled(ui, 3),
+                                              ink::of(color));
+  ImGui::Dummy({width, height});
+  ImGui::SameLine();
+  ImGui::TextUnformatted(tr(name));
+}
+
+void legendCaustic(const UiState& ui) {
+  legendDot(ui, palette::firstCaustic, "where the rays cross first");
+  legendDot(ui, palette::secondCaustic, "where they cross again");
+}
+
+void legendRays(const Editor& editor, const UiState& ui) {
+  const auto add = [&](RayKind kind) { legendLine(ui, lookOf(kind).line); };
+  // The vertex rays of a frozen sculpture begin at the point that it was made for.
+  LineLook camera = lookOf(RayKind::camera).line;
+  if (editor.session.level().sculpture.frozen && editor.rays.source == RaySource::vertices)
+    camera.legend = "from where the eye was";
+  legendLine(ui, camera);
+  const bool reflects = isVisible(editor.session.level().optic);
+  if (reflects) add(RayKind::reflected);
+  if (editor.point && reflects) legendLine(ui, normalLook);
+  if (editor.rays.lightRays) {
+    add(RayKind::light);
+    add(RayKind::shadow);
+  }
+  if (!editor.rays.hideNoHit) add(RayKind::noHit);
 }
 
 }  // namespace
@@ -201,22 +241,11 @@ void drawPausedRays(const Editor& editor, const UiState& ui) {
 }
 
 void drawLegend(const Editor& editor, const UiState& ui) {
+  if (!editor.rays.show && !editor.display.caustic) return;
   if (ui.layout.view.width < scaled(ui, 420) || ui.layout.view.height < scaled(ui, 300)) return;
   beginFloating(ui, "##legend", {1, 0}, 0.72f, 6);
-  const auto add = [&](RayKind kind) { legendLine(ui, lookOf(kind).line); };
-  // The vertex rays of a frozen sculpture begin at the point that it was made for.
-  LineLook camera = lookOf(RayKind::camera).line;
-  if (editor.session.level().sculpture.frozen && editor.rays.source == RaySource::vertices)
-    camera.legend = "from where the eye was";
-  legendLine(ui, camera);
-  const bool reflects = isVisible(editor.session.level().optic);
-  if (reflects) add(RayKind::reflected);
-  if (editor.point && reflects) legendLine(ui, normalLook);
-  if (editor.rays.lightRays) {
-    add(RayKind::light);
-    add(RayKind::shadow);
-  }
-  if (!editor.rays.hideNoHit) add(RayKind::noHit);
+  if (editor.rays.show) legendRays(editor, ui);
+  if (editor.display.caustic) legendCaustic(ui);
   ImGui::End();
 }
 
@@ -226,6 +255,7 @@ void drawAllLegendLines(const UiState& ui) {
     if (look.kind == RayKind::reflected)
       legendLine(ui, normalLook);  // in the order of a vertex's construction
   }
+  legendCaustic(ui);
 }
 
 }  // namespace anamorph

@@ -58,16 +58,17 @@ std::vector<std::string> readMirrorFiles(LevelScene& level, const std::filesyste
   return warnings;
 }
 
-std::vector<std::string> readMirrorFiles(LevelScene& level, const LevelScene& known,
-                                         const std::filesystem::path& levelPath) {
+bool takeMirrorFiles(LevelScene& level, const LevelScene& known) {
   LevelScene source = known;
   std::map<std::string, SurfaceFile> read;
   changeSurfaceFiles(source, [&](const SurfaceFile& file) { read.emplace(file.path, file); });
+  bool others = false;
   changeSurfaceFiles(level, [&](SurfaceFile& file) {
     const auto same = read.find(file.path);
     if (!file.mesh && same != read.end()) file = same->second;
+    others |= !file.path.empty() && !file.mesh && file.problem.empty();
   });
-  return readMirrorFiles(level, levelPath);
+  return others;
 }
 
 }  // namespace anamorph

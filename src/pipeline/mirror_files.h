@@ -17,8 +17,7 @@ namespace anamorph {
 std::vector<std::string> readMirrorFiles(LevelScene& level, const std::filesystem::path& levelPath,
                                          const MeshLimits& limits = {}, const CancelToken* token = nullptr);
 
-/// The same with the meshes that a level has read already, where the paths are the same.
-std::vector<std::string> readMirrorFiles(LevelScene& level, const LevelScene& known,
-                                         const std::filesystem::path& levelPath);
+/// Takes the meshes that another level has read already, where the paths are the same. Returns whether there are others.
+bool takeMirrorFiles(LevelScene& level, const LevelScene& known);
 
 }  // namespace anamorph

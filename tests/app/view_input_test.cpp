@@ -26,7 +26,8 @@ class ViewInput : public testing::Test {
     advance(editor, 0);
   }
   ViewportInput make() { return maker.make(editor, ui, ShownRays(editor), false); }
-  std::vector<Line> lines() { return makeLines(editor, ui, ShownRays(editor)); }
+  CausticStage caustic;
+  std::vector<Line> lines() { return makeLines(editor, ui, ShownRays(editor), caustic); }
   // Without RT camera and construction, so that rays are all that is left.
   std::size_t rayCount() {
     editor.display.rtCamera = false;

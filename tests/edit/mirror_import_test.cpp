@@ -37,6 +37,19 @@ TEST_F(MirrorImports, FitIntoTheOldOnesPlace) {
   saveLevel(folder / "level.json", *result.level);  // what is made can be saved
 }
 
+TEST_F(MirrorImports, TakeThePlaceOfAFileThatIsMissing) {
+  const Placement placement{{1, 2, 3}, {10, 20, 30}, {4000, 4000, 5000}};
+  Level level;
+  level.optic.shape() = MeshMirror{{"gone.obj", nullptr, "cannot open"}, placement};
+  const EditResult result = importMirror({"ball.obj", folder / "level.json"}, level);
+  ASSERT_TRUE(result.level);
+  const auto* mirror = result.level->optic.shape().as<MeshMirror>();
+  ASSERT_TRUE(mirror);
+  EXPECT_EQ(mirror->file.path, "ball.obj");
+  EXPECT_EQ(mirror->placement, placement) << "it stands as the missing one did";
+  EXPECT_EQ(findProblem(result.level->optic), std::nullopt);
+}
+
 TEST_F(MirrorImports, ThatCannotBeUsedChangeNothing) {
   EXPECT_EQ(errorOf([&] { import("gone.obj"); }),
             folder / "gone.obj" + ": cannot open: No such file or directory");

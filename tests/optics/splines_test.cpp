@@ -228,6 +228,32 @@ constexpr const char* splineNames[] = {"revolution", "extrusion", "patch"};
 INSTANTIATE_TEST_SUITE_P(All, SplineRays, ::testing::Values(0, 1, 2),
                          [](const auto& kind) { return std::string(splineNames[kind.param]); });
 
+TEST(Splines, WhetherItIsMetBetweenTwoWaysIsWhatTheHitsSay) {
+  int meets = 0, free = 0;
+  for (unsigned seed = 0; seed < 6000; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const Shape shape = randomSpline(int(seed), random);
+    const Point eye = randomEye(shape, random),
+                aim = pointAt(shape, random.uniform(0, 1), random.uniform(0, 1));
+    const Ray ray{eye, aim - eye};
+    const auto leaving = intersect(shape, ray);
+    if (!leaving) continue;
+    const Vector out = random.direction() * boxOf(shape).diagonal();
+    const Ray onward{leaving->point, glm::dot(out, leaving->normal) < 0 ? -out : out};
+    if (glm::dot(onward.direction, leaving->normal) < 0.02 * glm::length(onward.direction)) continue;
+    for (const auto& [way, from] : {std::pair{onward, 1e-9}, std::pair{ray, 0.0}}) {
+      const double to = random.uniform(0.01, 2);
+      const auto hit = intersect(shape, way, from);
+      const bool expected = hit && hit->t < to;
+      ++(expected ? meets : free);
+      EXPECT_EQ(meetsBetween(shape, way, from, to), expected);
+    }
+  }
+  EXPECT_GT(meets, 500);
+  EXPECT_GT(free, 500);
+}
+
 TEST(Splines, AskingOnFromAHitGivesTheNextOne) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

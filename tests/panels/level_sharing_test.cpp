@@ -12,6 +12,7 @@
 #include "cli/program.h"
 #include "edit/level_files.h"
 #include "level/level_json.h"
+#include "optics/mesh_mirror.h"
 #include "panels/dialogs.h"
 #include "panels/file_flow.h"
 #include "panels_fixture.h"
@@ -61,6 +62,12 @@ class LevelSharing : public PanelsTest {
     ImGui::SetClipboardText(text.c_str());
     act(Action::pasteLevel);
   }
+  void waitForJob() {
+    for (int i = 0; i < 60000 && editor.job.busy(); ++i) {
+      step(1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
   // A level with this mesh, as another person's text.
   std::string sentWith(const std::string& mesh) {
     Level level = editor.session.level();
@@ -89,6 +96,19 @@ TEST_F(LevelSharing, WhatIsCopiedIsPastedAsOneStep) {
   editor.session.undo();
   act(Action::pasteLevel);
   EXPECT_EQ(editor.session.level(), level);
+  EXPECT_EQ(editor.status.text(), "The level has been pasted; Ctrl+Z takes it back.");
+  editor.session.undo();
+  EXPECT_FALSE(editor.session.modified()) << "one step";
+}
+
+TEST_F(LevelSharing, TheMeshOfAMirrorIsReadBesideTheWindowInOneStep) {
+  Level level = editor.session.level();
+  level.optic.shape() = MeshMirror{{"cube.obj", nullptr, {}}, {.position = {0, 3, 0}}};
+  paste(levelAsText(level, editor.session.path()));
+  waitForJob();
+  const auto* mirror = editor.session.level().optic.shape().as<MeshMirror>();
+  ASSERT_TRUE(mirror);
+  EXPECT_TRUE(mirror->file.mesh);
   EXPECT_EQ(editor.status.text(), "The level has been pasted; Ctrl+Z takes it back.");
   editor.session.undo();
   EXPECT_FALSE(editor.session.modified()) << "one step";
@@ -188,10 +208,7 @@ TEST_F(LevelSharing, AMeshIsImportedThoughTheOldOneIsMissing) {
   openFile("gone.json");
   key(keys::escape);
   acceptFiles({folder_ / "cube.obj"}, editor, ui);
-  for (int i = 0; i < 60000 && editor.job.busy(); ++i) {
-    step(1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  waitForJob();
   EXPECT_EQ(meshPath(), "cube.obj") << editor.status.text();
 }
 

@@ -101,8 +101,10 @@ TEST_F(MirrorFiles, AreTakenFromALevelThatHasReadThem) {
   Level known = levelWith("meshes/ball.obj"), level = known;
   read(known);
   fs::remove(folder_ / "meshes/ball.obj");
-  readMirrorFiles(level, known, levelPath_);
+  EXPECT_FALSE(takeMirrorFiles(level, known));
   EXPECT_EQ(level, known);
+  level = levelWith("other.obj");
+  EXPECT_TRUE(takeMirrorFiles(level, known)) << "it has another one";
 }
 
 TEST_F(MirrorFiles, SurviveSavingAndLoading) {
