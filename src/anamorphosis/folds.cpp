@@ -15,8 +15,8 @@ constexpr std::size_t enough = 64;  // triangles that tell which way round a scu
 class FoldFinder {
  public:
   FoldFinder(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
-             const std::vector<PathStatus>& status)
-      : map_(map), original_(original), triangles_(triangles), status_(status) {}
+             const std::vector<PathStatus>& status, const CancelToken& token)
+      : map_(map), original_(original), triangles_(triangles), status_(status), token_(token) {}
 
   bool mapped(const Triangle& t) const {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return status_[v] == PathStatus::mapped; });
@@ -46,6 +46,7 @@ class FoldFinder {
       }
     });
     Folds folds;
+    if (token_.cancelled()) return folds;
     double same = 0, reversed = 0;
     for (const double seen : orientations) (seen < 0 ? reversed : same) += std::abs(seen);
     folds.reversed = reversed > same;
@@ -67,6 +68,7 @@ class FoldFinder {
   void followAll(int threads) {
     rays_.resize(original_.size());
     parallelFor(rays_.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+      if (token_.cancelled()) return;
       for (std::size_t i = first; i < last; ++i) {
         if (status_[i] == PathStatus::mapped) rays_[i] = exitRayTowards(map_, original_[i]);
       }
@@ -105,6 +107,7 @@ class FoldFinder {
   const PointArray& original_;
   const std::vector<Triangle>& triangles_;
   const std::vector<PathStatus>& status_;
+  const CancelToken& token_;
   std::vector<std::optional<ExitRay>>
       rays_;  // of every vertex; empty: they are followed when they are asked for
 };
@@ -117,8 +120,8 @@ bool hasNoFolds(const VertexMap& map) {
 }  // namespace
 
 Folds findFolds(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
-                const std::vector<PathStatus>& status, int threads) {
-  FoldFinder finder(map, original, triangles, status);
+                const std::vector<PathStatus>& status, int threads, const CancelToken& token) {
+  FoldFinder finder(map, original, triangles, status, token);
   if (!hasNoFolds(map)) return finder.find(threads);
   Folds none;
   none.reversed = finder.isReversed();

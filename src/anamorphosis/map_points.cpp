@@ -41,7 +41,7 @@ void mapRange(const VertexMap& map, const PointArray& in, MappedPoints& out, std
 void mapPointsThrough(const VertexMap& map, const PointArray& original, MappedPoints& result, int threads) {
   result.points.resize(original.size());
   result.status.resize(original.size());
-  constexpr std::size_t grain = 64 * exitBlockSize;
+  const std::size_t grain = (hasBatch(map.optic) ? 64 : 1) * exitBlockSize;
   parallelFor(original.size(), grain, threads,
               [&](std::size_t begin, std::size_t end) { mapRange(map, original, result, begin, end); });
 }

@@ -28,7 +28,7 @@ bool isFolded(const Folds& folds, std::size_t triangle) {
   return !folds.folded.empty() && folds.folded[triangle];
 }
 
-Sculpture mapOwnVertices(const DeformInput& input, int threads) {
+Sculpture mapOwnVertices(const DeformInput& input, int threads, const CancelToken& token) {
   const Mesh& mesh = *input.original;
   MappedPoints mapped;
   mapPointsThrough(input.map, mesh.positions, mapped, threads);
@@ -37,7 +37,7 @@ Sculpture mapOwnVertices(const DeformInput& input, int threads) {
   sculpture.status = std::move(mapped.status);
   sculpture.original = mesh.positions;
   sculpture.source.resize(mesh.positions.size());
-  const Folds folds = findFolds(input.map, mesh.positions, mesh.triangles, sculpture.status, threads);
+  const Folds folds = findFolds(input.map, mesh.positions, mesh.triangles, sculpture.status, threads, token);
   noteFolds(folds, sculpture);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
@@ -53,9 +53,10 @@ Sculpture mapOwnVertices(const DeformInput& input, int threads) {
 }
 
 // Keeps the triangles that are mapped whole, and the vertices that they use.
-Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const VertexMap& map, int threads) {
+Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const VertexMap& map, int threads,
+                  const CancelToken& token) {
   const Folds folds =
-      findFolds(map, refinement.original, refinement.triangles, refinement.mapped.status, threads);
+      findFolds(map, refinement.original, refinement.triangles, refinement.mapped.status, threads, token);
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   Sculpture sculpture;
   noteFolds(folds, sculpture);
@@ -86,11 +87,12 @@ Sculpture collect(const Refinement& refinement, const WeldedMesh& welded, const 
 }  // namespace
 
 Sculpture makeSculpture(const DeformInput& input, int threads, const Progress& progress) {
-  if (!(input.tolerancePixels > 0) || input.map.mistakes.any()) return mapOwnVertices(input, threads);
+  if (!(input.tolerancePixels > 0) || input.map.mistakes.any())
+    return mapOwnVertices(input, threads, progress.token);
   const WeldedMesh welded = weldPositions(*input.original);
   const Refinement refinement = refine(welded.mesh, input, threads, progress);
   if (progress.cancelled()) return {};
-  Sculpture sculpture = collect(refinement, welded, input.map, threads);
+  Sculpture sculpture = collect(refinement, welded, input.map, threads, progress.token);
   MappedPoints own;
   mapPointsThrough(input.map, input.original->positions, own, threads);
   sculpture.originalStatus = countStatus(own.status);

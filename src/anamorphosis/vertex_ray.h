@@ -27,7 +27,7 @@ struct VertexRay {
   Point original{0};            ///< P
   std::vector<VertexLeg> legs;  ///< after the one from the eye, in order; empty: it misses
   bool bends = false;           ///< whether the optic changes its direction
-  Point sculpture{0};           ///< S, undefined unless mapped
+  Point sculpture{0};           ///< S; the original's point unless mapped
   PathStatus status = PathStatus::missesMirror;
   double distance = 0;  ///< |P - Q|; beyond several points the rest of the way (method-optics section 2)
   double reach = 0;     ///< offset + k distance: how far S is from the last Q

@@ -20,10 +20,14 @@ std::size_t bytesOf(const LevelText& text) {
   return bytes;
 }
 
-// Shapes are shared as well, and are small: here each counts as its numbers.
-std::size_t bytesWithoutText(const Level& level) {
+std::size_t bytesOf(const SmoothMesh& surface) {
+  return (surface.mesh.positions.size() + surface.normals.size()) * sizeof(Point) +
+         (surface.mesh.triangles.size() + surface.corners.size()) * sizeof(Triangle);
+}
+
+std::size_t bytesWithoutShared(const Level& level) {
   std::size_t bytes = sizeof level + level.lights.capacity() * sizeof(PointLight) +
-                      level.optic.parts.capacity() * (sizeof(OpticPart) + sizeof(PackedShape));
+                      level.optic.parts.capacity() * sizeof(OpticPart);
   if (const auto* file = std::get_if<FileShape>(&level.original.shape)) bytes += bytesOf(file->path);
   return bytes;
 }
@@ -32,14 +36,25 @@ std::size_t bytesWithoutText(const Level& level) {
 class Sum {
  public:
   std::size_t add(const Level& level) {
-    bytes_ += bytesWithoutText(level);
+    bytes_ += bytesWithoutShared(level);
     if (shared_.insert(&*level.text).second) bytes_ += bytesOf(*level.text);
+    add(level.optic);
+    if (level.sculpture.frozen) add(level.sculpture.frozen->optic);
     const auto* file = std::get_if<FileShape>(&level.original.shape);
     if (file && shared_.insert(&*file->obj).second) bytes_ += bytesOf(*file->obj);
     return bytes_;
   }
 
  private:
+  void add(const Optic& optic) {
+    for (const OpticPart& part : optic.parts) {
+      if (!shared_.insert(part.shape.operator->()).second) continue;
+      bytes_ += bytesOf(part.shape);
+      const SurfaceFile* file = surfaceFileOf(part.shape);
+      if (file && file->mesh && shared_.insert(file->mesh.get()).second) bytes_ += bytesOf(*file->mesh);
+    }
+  }
+
   std::size_t bytes_ = 0;
   std::set<const void*> shared_;  // what was counted
 };
@@ -60,6 +75,14 @@ std::size_t countWithin(std::span<const Level> levels, std::size_t bytes) {
     if (sum.add(*level) > bytes && count > 0) break;
   }
   return count;
+}
+
+void dropCutSurfaces(Level& level) {
+  const auto drop = [](Optic& optic) {
+    for (OpticPart& part : optic.parts) part.shape = withoutCutSurface(part.shape);
+  };
+  drop(level.optic);
+  if (level.sculpture.frozen) drop(level.sculpture.frozen->optic);
 }
 
 void shareText(Level& level, std::span<const Level> others) {

@@ -16,6 +16,9 @@ std::size_t bytesOf(std::span<const Level> levels);
 /// any.
 std::size_t countWithin(std::span<const Level> levels, std::size_t bytes);
 
+/// Lets go of what is quickly made again when the level is shown again.
+void dropCutSurfaces(Level& level);
+
 /// Where one of the others has equal words, the level shares them from then on.
 void shareText(Level& level, std::span<const Level> others);
 

@@ -152,7 +152,7 @@ bool allows(const Level& level, const Selection& selection, GizmoMode mode) {
 
 bool scalesUniformly(const Level& level, const Selection& selection) {
   return selection.part == Part::sculpture ||
-         (selection.part == Part::mirror && isRound(level.optic.shape()));
+         (selection.part == Part::mirror && hasOneSize(level.optic.shape()));
 }
 
 std::optional<GizmoFrame> frameOf(const Level& level, const Selection& selection, GizmoMode mode, bool local,

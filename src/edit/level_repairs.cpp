@@ -22,9 +22,9 @@ bool allOf(const Box& box, const Test& test) {
 }
 
 // Behind the mirror and what continues it: through an open end the inner wall is seen, which
-// is farther away. Rays that miss both do not count: there the box stands beside them.
-bool isBehind(const Shape& mirror, const Point& eye, const Direction& sight, const Box& box) {
-  const Shape whole = continued(mirror);
+// is farther away. `whole`: the mirror continued. Rays that miss both do not count: there the box stands beside them.
+bool isBehind(const Shape& mirror, const Shape& whole, const Point& eye, const Direction& sight,
+              const Box& box) {
   return allOf(box, [&](const Point& p) {
     const Vector towards = p - eye;
     if (!(glm::dot(towards, sight) > 0)) return false;
@@ -44,8 +44,11 @@ Box grown(const Box& box) {
 }
 
 // The shortest way along `sight` after which the box is behind; negative when there is none.
-double wayBehind(const Shape& mirror, const Point& eye, const Direction& sight, const Box& box, double from) {
-  const auto behind = [&](double way) { return isBehind(mirror, eye, sight, movedBox(box, way * sight)); };
+double wayBehind(const Shape& mirror, const Shape& whole, const Point& eye, const Direction& sight,
+                 const Box& box, double from) {
+  const auto behind = [&](double way) {
+    return isBehind(mirror, whole, eye, sight, movedBox(box, way * sight));
+  };
   double far = std::max(from, box.diagonal());
   for (int i = 0; !behind(far); ++i) {
     if (i == 60) return -1;
@@ -88,9 +91,17 @@ Level originalMovedBehind(const Level& level, const Box& originalBox) {
     sight = (mirrorMiddle - eye) / mirrorDistance;
     shift = eye + distance * sight - middle;
   }
-  if (shift == Vector(0) && isBehind(mirror, eye, sight, box)) return level;
-  const double way = wayBehind(mirror, eye, sight, movedBox(box, shift), mirrorDistance);
+  const Shape whole = continued(mirror);
+  if (shift == Vector(0) && isBehind(mirror, whole, eye, sight, box)) return level;
+  const double way = wayBehind(mirror, whole, eye, sight, movedBox(box, shift), mirrorDistance);
   return way < 0 ? level : moved(level, {Part::original}, shift + way * sight);
+}
+
+const Repairs& RepairsStage::at(const Level& level, const Box& originalBox) {
+  return memo_.get({level, originalBox}, [](const Input& input) {
+    return Repairs{eyeMovedOutside(input.level, input.originalBox),
+                   originalMovedBehind(input.level, input.originalBox) == input.level};
+  });
 }
 
 }  // namespace anamorph

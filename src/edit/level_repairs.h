@@ -9,6 +9,7 @@
 
 #include "level/level.h"
 #include "math/box.h"
+#include "pipeline/memo.h"
 
 namespace anamorph {
 
@@ -20,5 +21,23 @@ Level eyeMovedOutside(const Level& level, const Box& originalBox);
 /// The original farther along the ray from the eye through its middle (where that misses the mirror: through
 /// the mirror's middle) until its whole box is behind the mirror as seen from the eye.
 Level originalMovedBehind(const Level& level, const Box& originalBox);
+
+/// Which of them there are for a level, kept as long as that stays the same: both are searches.
+struct Repairs {
+  Level eyeOutside;      ///< the level itself: there is none
+  bool isBehind = true;  ///< the original is behind the mirror, or cannot be put there
+};
+class RepairsStage {
+ public:
+  const Repairs& at(const Level& level, const Box& originalBox);
+
+ private:
+  struct Input {
+    Level level;
+    Box originalBox;
+    bool operator==(const Input&) const = default;
+  };
+  Memo<Input, Repairs> memo_;
+};
 
 }  // namespace anamorph

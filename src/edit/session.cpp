@@ -127,6 +127,7 @@ void Session::finishChange() {
 }
 
 void Session::remember(Level before) {
+  dropCutSurfaces(before);
   undo_.push_back(std::move(before));
   shareText(level_, undo_);
   const std::size_t kept = std::min(maxSteps, countWithin(undo_, maxHistoryBytes));

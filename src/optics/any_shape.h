@@ -104,9 +104,12 @@ class AnyShape {
   virtual std::shared_ptr<AnyShape> copy() const = 0;
 
   virtual const char* name() const = 0;
+  virtual std::size_t bytes() const = 0;
+  virtual const SurfaceFile* file() const = 0;
   virtual std::optional<SurfaceHit> intersect(const Ray& ray, double tMin) const = 0;
   virtual bool meetsBetween(const Ray& ray, double tMin, double tMax) const = 0;
   virtual std::size_t exitPoints(const ExitBlock& block) const = 0;
+  virtual bool hasBatch() const = 0;
   virtual bool seesConvexSide(const Point& eye) const = 0;
   virtual std::optional<Direction> publishedNormal(const Point& point) const = 0;
 
@@ -158,6 +161,20 @@ class ShapeOf final : public AnyShape {
   std::shared_ptr<AnyShape> copy() const override { return std::make_shared<ShapeOf>(shape_); }
 
   const char* name() const override { return S::name; }
+  std::size_t bytes() const override {
+    if constexpr (requires { shape_.bytes(); }) {
+      return sizeof *this + shape_.bytes();
+    } else {
+      return sizeof *this;
+    }
+  }
+  const SurfaceFile* file() const override {
+    if constexpr (requires { shape_.file; }) {
+      return &shape_.file;
+    } else {
+      return nullptr;
+    }
+  }
   std::optional<SurfaceHit> intersect(const Ray& ray, double tMin) const override {
     if constexpr (PreparedShape<S>) {
       return shape_.intersect(prepared(), ray, tMin);
@@ -179,9 +196,14 @@ class ShapeOf final : public AnyShape {
     }
     if constexpr (requires { shape_.bounceFrom(block.eye); }) {
       return followBlock(shape_.bounceFrom(block.eye), block);
-    } else {  // without a batch form every ray is followed by itself
+    } else {
       return followNone(block);
     }
+  }
+  bool hasBatch() const override {
+    return requires(const S& s, const Point& eye) {
+      s.bounceFrom(eye);
+    };
   }
   bool seesConvexSide(const Point& eye) const override {
     if constexpr (requires { shape_.seesConvexSide(eye); }) {
@@ -198,7 +220,13 @@ class ShapeOf final : public AnyShape {
     }
   }
 
-  std::optional<std::string> findProblem() const override { return shape_.findProblem(); }
+  std::optional<std::string> findProblem() const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.findProblem(p); }) {
+      return shape_.findProblem(prepared());
+    } else {
+      return shape_.findProblem();
+    }
+  }
   std::optional<std::string> findEyeProblem(const Point& eye) const override {
     if constexpr (PreparedShape<S>) {
       return shape_.findEyeProblem(prepared(), eye);
@@ -252,7 +280,13 @@ class ShapeOf final : public AnyShape {
       return std::nullopt;
     }
   }
-  double borderDistance(const Point& point) const override { return shape_.borderDistance(point); }
+  double borderDistance(const Point& point) const override {
+    if constexpr (requires(const S& s, const Prepared& p) { s.borderDistance(p, point); }) {
+      return shape_.borderDistance(prepared(), point);
+    } else {
+      return shape_.borderDistance(point);
+    }
+  }
 
   Point pointAt(double u, double v) const override { return shape_.pointAt(u, v); }
   SmoothMesh tessellate(int segments) const override {

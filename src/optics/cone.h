@@ -58,14 +58,11 @@ struct ConeMirror {
     [[gnu::always_inline]] BouncePoint operator()(const Point&, const Vector& v) const {
       const Vector u = form.across(v);
       const auto [a, b] = form.coefficients(v, u);
-      const double discriminant = b * b - a * form.c;
-      const double q = -(b + std::copysign(std::sqrt(std::abs(discriminant)), b));
-      const double one = q / a, other = form.c / q;
-      const double near = one < other ? one : other, far = one < other ? other : one;
+      const auto [near, far, real] = bothRoots(a, b, form.c);
       const bool nearMeets = (near > 0) & form.contains(near, v);
       const double t = select(nearMeets, near, far);
       const bool fromOutside = a * t + b < 0;  // where the quadric's value falls
-      const bool meets = (discriminant >= 0) & (a != 0) & (q != 0) & form.contains(t, v) & fromOutside;
+      const bool meets = real & form.contains(t, v) & fromOutside;
       return {t, form.normalAt(t, v, u), meets};
     }
   };
@@ -89,8 +86,7 @@ struct ConeMirror {
   }
   std::optional<std::string> findEyeProblem(const Point& eye) const {
     const Form form = formFrom(eye);
-    const double distance = std::hypot(glm::length(form.w), form.along);
-    if (auto problem = findDistanceProblem(distance, widest())) return problem;
+    if (auto problem = findDistanceProblem(glm::length(eye - middle()), widest())) return problem;
     return findContactProblem(form.distanceToSurface(), widest());
   }
   Point eyeOutside(const Point& eye, const Point& original) const {

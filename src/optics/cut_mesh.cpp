@@ -1,17 +1,44 @@
 #include "optics/cut_mesh.h"
 
+#include <array>
+#include <cstdint>
 #include <limits>
-#include <map>
 #include <utility>
+#include <vector>
 
 namespace anamorph {
 namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+// Numbers for pairs, in the order in which they come: a short list for every first number.
+class PairNumbers {
+ public:
+  explicit PairNumbers(std::size_t firsts) : heads_(firsts, none) {}
+
+  /// The pair's number, and whether it is new.
+  std::pair<std::uint32_t, bool> add(std::uint32_t first, std::uint32_t second) {
+    for (std::uint32_t i = heads_[first]; i != none; i = entries_[i].next) {
+      if (entries_[i].second == second) return {i, false};
+    }
+    const auto number = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back({second, std::exchange(heads_[first], number)});
+    return {number, true};
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t second, next;
+  };
+  std::vector<std::uint32_t> heads_;
+  std::vector<Entry> entries_;
+};
 
 // One plane. A triangle is cut into at most two; corners and the new points on edges are shared, as they were.
 class PlaneCut {
  public:
   PlaneCut(const SmoothMesh& surface, const HalfSpace& plane)
-      : from_(surface), plane_(plane), kept_(surface.mesh.positions.size(), none) {}
+      : from_(surface), plane_(plane), kept_(surface.mesh.positions.size(), none), crossings_(kept_.size()) {}
 
   SmoothMesh cut() {
     for (const Triangle& triangle : from_.mesh.triangles) cut(triangle);
@@ -19,8 +46,6 @@ class PlaneCut {
   }
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   double side(std::uint32_t corner) const {
     return glm::dot(from_.mesh.positions[corner] - plane_.point, plane_.normal);
   }
@@ -42,15 +67,15 @@ class PlaneCut {
 
   std::uint32_t between(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
-    const auto [found, isNew] = crossings_.try_emplace({a, b}, 0);
+    const auto [number, isNew] = crossings_.add(a, b);
     if (isNew) {
       const double share = side(a) / (side(a) - side(b));
       const Vector normal = glm::mix(normalOf(a), normalOf(b), share);
       const double length = glm::length(normal);
-      found->second = add(glm::mix(from_.mesh.positions[a], from_.mesh.positions[b], share),
-                          length > 0 ? normal / length : normal);
+      points_.push_back(add(glm::mix(from_.mesh.positions[a], from_.mesh.positions[b], share),
+                            length > 0 ? normal / length : normal));
     }
-    return found->second;
+    return points_[number];
   }
 
   void cut(const Triangle& triangle) {
@@ -70,25 +95,25 @@ class PlaneCut {
   const HalfSpace& plane_;
   SmoothMesh to_;
   std::vector<std::uint32_t> kept_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
+  PairNumbers crossings_;
+  std::vector<std::uint32_t> points_;  // of the crossings
 };
 
 // One normal for each corner, so that a corner is one number.
 SmoothMesh withOwnCorners(const SmoothMesh& surface) {
   if (surface.corners.empty()) return surface;
   SmoothMesh own;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  PairNumbers numbers(surface.mesh.positions.size());
   for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
     Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::pair corner{surface.mesh.triangles[t][i], surface.corners[t][i]};
-      const auto next = static_cast<std::uint32_t>(own.normals.size());
-      const auto [found, isNew] = numbers.try_emplace(corner, next);
+      const std::uint32_t position = surface.mesh.triangles[t][i], normal = surface.corners[t][i];
+      const auto [number, isNew] = numbers.add(position, normal);
       if (isNew) {
-        own.mesh.positions.push_back(surface.mesh.positions[corner.first]);
-        own.normals.push_back(surface.normals[corner.second]);
+        own.mesh.positions.push_back(surface.mesh.positions[position]);
+        own.normals.push_back(surface.normals[normal]);
       }
-      triangle[i] = found->second;
+      triangle[i] = number;
     }
     own.mesh.triangles.push_back(triangle);
   }

@@ -1,7 +1,10 @@
 #include "optics/extrusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -42,6 +45,13 @@ bool isPlainlyOnOneSide(const Cubic& beside, double slack) {
          std::max(std::max(a, b), std::max(c, d)) < -slack;
 }
 
+std::optional<Prepared::Fault> findFault(const PlaneCurve& curve, bool closed, double size) {
+  if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+  if (const auto sharp = findSharpPoint(curve, size)) return Prepared::Fault{*sharp, true};
+  const auto contact = findSelfContact(curve, closed, shapeTolerance * size);
+  return contact ? std::optional(Prepared::Fault{*contact, false}) : std::nullopt;
+}
+
 ExtrusionMirror::Place placeOn(const PlaneCubic& piece, double u) {
   const auto [x, dx] = valueAndSlope(piece.x, u);
   const auto [y, dy] = valueAndSlope(piece.y, u);
@@ -57,7 +67,7 @@ Axes ExtrusionMirror::axes() const {
 }
 
 ExtrusionMirror::Prepared ExtrusionMirror::prepare() const {
-  Prepared prepared{axes(), origin, CurvePoint(0), 0, splineCurve(points, closed)};
+  Prepared prepared{axes(), origin, CurvePoint(0), 0, splineCurve(points, closed), {}};
   if (prepared.curve.empty()) return prepared;
   const Rectangle r = rectangleOf(prepared.curve);
   prepared.centre = 0.5 * (r.min + r.max);
@@ -66,6 +76,8 @@ ExtrusionMirror::Prepared ExtrusionMirror::prepare() const {
   std::vector<CurvePoint> centred = points;
   for (CurvePoint& p : centred) p -= prepared.centre;
   prepared.curve = splineCurve(centred, closed);
+  prepared.fault = findFault(prepared.curve, closed, prepared.size);
+  if (prepared.fault) prepared.fault->at += prepared.centre;
   return prepared;
 }
 
@@ -104,33 +116,24 @@ std::optional<SurfaceHit> ExtrusionMirror::intersect(const Prepared& prepared, c
   return hitAt(ray, first.t, prepared.axes, {slope.y, -slope.x, 0});
 }
 
-std::optional<std::string> ExtrusionMirror::findProblem() const {
+std::optional<std::string> ExtrusionMirror::findProblem(const Prepared& prepared) const {
   const std::size_t fewest = closed ? fewestClosedControls : fewestOpenControls;
   if (points.size() < fewest) return trFormat("expected at least {} points, got {}", fewest, points.size());
   if (auto problem = findLengthProblem("height", height)) return problem;
   if (!(glm::length(axis) > 0)) return tr("expected an axis that is not 0");
   const double sine = glm::length(glm::cross(glm::normalize(axis), glm::normalize(across)));
   if (!(sine > shapeTolerance)) return tr("expected a direction across that is not along the axis");
-  return findCurveProblem();
-}
-
-std::optional<std::string> ExtrusionMirror::findCurveProblem() const {
-  const PlaneCurve curve = splineCurve(points, closed);
-  const double size = rectangleOf(curve).size();
-  if (!(size > 0) || !std::isfinite(size))
+  if (!(prepared.size > 0) || !std::isfinite(prepared.size))
     return tr("expected points that span a curve, got one of length 0");
+  if (!prepared.fault) return std::nullopt;
   const auto roughly = [&](double coordinate) {
-    return 1e-3 * size * std::round(coordinate / size * 1e3) + 0;
+    return 1e-3 * prepared.size * std::round(coordinate / prepared.size * 1e3) + 0;
   };
-  if (const auto sharp = findSharpPoint(curve, size)) {
-    return trFormat("expected a smooth curve, got one that has a sharp point near {:.3g}, {:.3g}",
-                    roughly(sharp->x), roughly(sharp->y));
-  }
-  if (const auto contact = findSelfContact(curve, closed, shapeTolerance * size)) {
-    return trFormat("expected a curve that does not meet itself, got one that does near {:.3g}, {:.3g}",
-                    roughly(contact->x), roughly(contact->y));
-  }
-  return std::nullopt;
+  const double x = roughly(prepared.fault->at.x), y = roughly(prepared.fault->at.y);
+  return prepared.fault->isSharp
+             ? trFormat("expected a smooth curve, got one that has a sharp point near {:.3g}, {:.3g}", x, y)
+             : trFormat("expected a curve that does not meet itself, got one that does near {:.3g}, {:.3g}",
+                        x, y);
 }
 
 std::optional<std::string> ExtrusionMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
@@ -144,8 +147,7 @@ std::optional<std::string> ExtrusionMirror::findEyeProblem(const Prepared& prepa
 }
 
 // Before an open wall, away from a closed one.
-Point ExtrusionMirror::eyeOutside(const Point& eye, const Point& original) const {
-  const Prepared prepared = prepare();
+Point ExtrusionMirror::eyeOutside(const Prepared& prepared, const Point& eye, const Point& original) const {
   const auto flat = [&](const Vector& v) { return v - glm::dot(v, prepared.axes[2]) * prepared.axes[2]; };
   const double along = std::clamp(glm::dot(eye - prepared.base, prepared.axes[2]), -10 * height, 10 * height);
   const double away = std::max(prepared.size, height);
@@ -179,14 +181,12 @@ Box ExtrusionMirror::box() const {
   return box;
 }
 
-Point ExtrusionMirror::middle() const {
-  const Prepared prepared = prepare();
+Point ExtrusionMirror::middle(const Prepared& prepared) const {
   return prepared.base + 0.5 * height * prepared.axes[2];
 }
 
-ShapeExtent ExtrusionMirror::extent() const {
-  const Prepared prepared = prepare();
-  return {middle(), prepared.axes[2], prepared.size, height};
+ShapeExtent ExtrusionMirror::extent(const Prepared& prepared) const {
+  return {middle(prepared), prepared.axes[2], prepared.size, height};
 }
 
 ExtrusionMirror ExtrusionMirror::filling(const ShapeExtent& e, const Point& eye) {
@@ -199,7 +199,7 @@ ExtrusionMirror ExtrusionMirror::filling(const ShapeExtent& e, const Point& eye)
   const double factor = e.width / rectangleOf(splineCurve(made.points, false)).size();
   for (CurvePoint& p : made.points) p *= factor;
   made.origin = e.middle;
-  made.origin += e.middle - made.middle();
+  made.origin += e.middle - made.middle(made.prepare());
   return made;
 }
 
@@ -225,7 +225,7 @@ void ExtrusionMirror::map(const ShapeMap& map) {
   across = turnedBy(map, old, across);
   origin = map.point(old);
   height = map.size(height, map.factors.z);
-  const double size = prepare().size;
+  const double size = rectangleOf(splineCurve(points, closed)).size();
   if (!(size > 0)) return;
   const CurvePoint factors(map.size(size, map.factors.x) / size, map.size(size, map.factors.y) / size);
   for (CurvePoint& p : points) p *= factors;
@@ -286,16 +286,15 @@ SurfaceLines ExtrusionMirror::lines() const {
   return lines;
 }
 
-double ExtrusionMirror::borderDistance(const Point& p) const {
-  const PlaneCurve curve = splineCurve(points, closed);
-  const Vector at = inFrame(axes(), p - origin);
+double ExtrusionMirror::borderDistance(const Prepared& prepared, const Point& p) const {
+  const Vector at = inFrame(prepared.axes, p - prepared.base);
   double nearest = std::min(at.z, height - at.z);
   if (!closed) {
-    for (const CurvePoint& end : {curve.front().control(0), curve.back().control(3)}) {
+    for (const CurvePoint& end : {prepared.curve.front().control(0), prepared.curve.back().control(3)}) {
       nearest = std::min(nearest, glm::length(CurvePoint(at) - end));
     }
   }
-  return nearest / std::max(rectangleOf(curve).size(), height);
+  return nearest / std::max(prepared.size, height);
 }
 
 ShapeWords ExtrusionMirror::words(LengthText text) const {

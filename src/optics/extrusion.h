@@ -47,22 +47,29 @@ struct ExtrusionMirror {
     CurvePoint centre;  ///< the same in the curve's plane
     double size;        ///< of the curve
     PlaneCurve curve;   ///< as seen from there
+    struct Fault {
+      CurvePoint at;  ///< in the curve's own plane
+      bool isSharp;   ///< there; else it meets itself
+    };
+    std::optional<Fault> fault;  ///< of the curve itself
   };
   Prepared prepare() const;
   std::optional<SurfaceHit> intersect(const Prepared& prepared, const Ray& ray, double tMin) const;
 
+  std::size_t bytes() const { return points.size() * (sizeof(CurvePoint) + sizeof(PlaneCubic)); }
+
   // ---- What can be wrong
 
-  std::optional<std::string> findProblem() const;
+  std::optional<std::string> findProblem(const Prepared& prepared) const;
   std::optional<std::string> findEyeProblem(const Prepared& prepared, const Point& eye) const;
-  Point eyeOutside(const Point& eye, const Point& original) const;
+  Point eyeOutside(const Prepared& prepared, const Point& eye, const Point& original) const;
 
   // ---- Its place
 
   Box box() const;
-  Point middle() const;
+  Point middle(const Prepared& prepared) const;
   Axes axes() const;
-  ShapeExtent extent() const;
+  ShapeExtent extent(const Prepared& prepared) const;
   /// A gentle wave, towards the eye.
   static ExtrusionMirror filling(const ShapeExtent& room, const Point& eye);
   std::vector<ControlPoint> controlPoints() const;
@@ -77,7 +84,7 @@ struct ExtrusionMirror {
   Direction normalAt(double u, double v) const;
   std::array<int, 2> gridFor(int segments) const;
   SurfaceLines lines() const;
-  double borderDistance(const Point& p) const;
+  double borderDistance(const Prepared& prepared, const Point& p) const;
   ShapeWords words(LengthText text) const;
 
   struct Place {
@@ -87,7 +94,6 @@ struct ExtrusionMirror {
  private:
   int spanCount() const;
   Place placeAt(double u) const;  ///< 0..1 along the curve
-  std::optional<std::string> findCurveProblem() const;
 };
 
 }  // namespace anamorph

@@ -174,12 +174,15 @@ double freeLength(const Optic& optic, const OpticPath& path) {
   return again ? again->t : std::numeric_limits<double>::infinity();
 }
 
+bool hasBatch(const Optic& optic) {
+  const OpticPart& first = optic.parts.front();
+  return optic.parts.size() == 1 && first.kind == OpticKind::mirror && first.shape.clip().empty() &&
+         first.shape->hasBatch();
+}
+
 std::size_t exitPoints(const Optic& optic, const ExitBlock& block) {
   CHECK(block.count <= exitBlockSize);
-  const OpticPart& first = optic.parts.front();
-  const bool oneMirror =
-      optic.parts.size() == 1 && first.kind == OpticKind::mirror && first.shape.clip().empty();
-  return oneMirror ? optic.shape()->exitPoints(block) : followNone(block);
+  return hasBatch(optic) ? optic.shape()->exitPoints(block) : followNone(block);
 }
 
 LineOfSight lineOfSight(const Optic& optic, const Ray& ray) {

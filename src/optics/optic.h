@@ -129,6 +129,9 @@ double freeLength(const Optic& optic, const OpticPath& path);
 /// depthScale * (1 - travelled) along its exit ray. Returns how many are plain.
 std::size_t exitPoints(const Optic& optic, const ExitBlock& block);
 
+/// Whether exitPoints() finds any: else every ray has to be followed by itself, which takes ten times as long.
+bool hasBatch(const Optic& optic);
+
 /// How something behind the optic is seen along a ray from the eye.
 struct LineOfSight {
   bool meets = false;  ///< whether the ray meets the optic at all

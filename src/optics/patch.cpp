@@ -251,7 +251,7 @@ std::optional<std::string> PatchMirror::findProblem() const {
 std::optional<std::string> PatchMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
   const Vector at = inFrame(prepared.axes, eye - origin);
   const double extent = std::max(size[0], size[1]), tolerance = shapeTolerance * extent;
-  if (auto problem = findDistanceProblem(glm::length(at), extent, "size")) return problem;
+  if (auto problem = findDistanceProblem(glm::length(eye - middle()), extent, "size")) return problem;
   const double x = std::clamp(at.x, 0.0, size[0]), y = std::clamp(at.y, 0.0, size[1]);
   if (std::hypot(at.x - x, at.y - y) > tolerance) return std::nullopt;
   const auto [height, slopeX, slopeY] = placeAt(x, y);

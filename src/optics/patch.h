@@ -67,6 +67,8 @@ struct PatchMirror {
     return firstHit(prepared, ray, tMin, {tMin, tMax}).has_value();
   }
 
+  std::size_t bytes() const { return heights.heights.size() * (sizeof(double) + sizeof(Cell)); }
+
   // ---- What can be wrong
 
   std::optional<std::string> findProblem() const;

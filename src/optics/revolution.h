@@ -60,6 +60,8 @@ struct RevolutionMirror {
     return firstHit(prepared, ray, tMin, {tMin, tMax}).has_value();
   }
 
+  std::size_t bytes() const { return radii.size() * (sizeof(double) + sizeof(Span)); }
+
   // ---- What can be wrong
 
   std::optional<std::string> findProblem() const;

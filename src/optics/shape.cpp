@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/language.h"
 #include "optics/cut_mesh.h"
+#include "optics/shape_helpers.h"
 
 namespace anamorph {
 namespace {
@@ -17,10 +18,10 @@ HalfSpace mapHalfSpace(const HalfSpace& half, const ShapeMap& map) {
   const Direction n = glm::normalize(half.normal), x = perpendicular(n), y = glm::cross(n, x);
   const Point origin = map.point(half.point);
   const Vector normal = glm::cross(map.point(half.point + x) - origin, map.point(half.point + y) - origin);
-  const double length = glm::length(normal);
   const Vector inside = map.point(half.point + n) - origin;
-  if (!(length > 0)) return {origin, half.normal};
-  return {origin, (glm::dot(normal, inside) < 0 ? -normal : normal) / length};
+  if (!(glm::length(normal) > 0)) return {origin, half.normal};
+  const Direction turned = glm::normalize(glm::dot(normal, inside) < 0 ? -normal : normal);
+  return {origin, glm::length(turned - n) > notTurned ? glm::length(half.normal) * turned : half.normal};
 }
 
 }  // namespace
@@ -55,9 +56,13 @@ void Shape::clipBy(std::vector<HalfSpace> clip) {
   cut_ = clip.empty() ? nullptr : std::shared_ptr<const Cut>(new Cut{std::move(clip)});
 }
 
-const SmoothMesh& Shape::cutSurface() const {
+const Shape::CutSurface& Shape::cutSurface() const {
   CHECK(cut_);
-  return cut_->surface.get([this] { return cutMesh(any_->tessellate(cutSegments), cut_->planes); });
+  return cut_->surface.get([this] {
+    CutSurface cut{cutMesh(any_->tessellate(cutSegments), cut_->planes), {}};
+    cut.box = boundingBox(cut.surface.mesh.positions);
+    return cut;
+  });
 }
 
 std::optional<SurfaceHit> intersect(const Shape& shape, const Ray& ray, double tMin) {
@@ -85,7 +90,7 @@ std::optional<std::string> findShapeProblem(const Shape& shape) {
   for (const HalfSpace& half : shape.clip()) {
     if (!(glm::length(half.normal) > 0)) return tr("expected a normal of clip that is not 0");
   }
-  if (!shape.clip().empty() && shape.cutSurface().mesh.triangles.empty()) {
+  if (!shape.clip().empty() && shape.cutSurface().surface.mesh.triangles.empty()) {
     return tr("expected a clip that leaves some of the surface, got one that cuts all of it away");
   }
   return std::nullopt;
@@ -100,7 +105,7 @@ const char* shapeName(const Shape& shape) {
   return shape->name();
 }
 Box boxOf(const Shape& shape) {
-  return shape.clip().empty() ? shape->box() : boundingBox(shape.cutSurface().mesh.positions);
+  return shape.clip().empty() ? shape->box() : shape.cutSurface().box;
 }
 Point middleOf(const Shape& shape) {
   return shape.clip().empty() || findShapeProblem(shape) ? shape->middle() : boxOf(shape).centre();
@@ -110,6 +115,18 @@ Axes axesOf(const Shape& shape) {
 }
 bool isRound(const Shape& shape) {
   return shape->isRound() && shape.clip().empty();
+}
+bool hasOneSize(const Shape& shape) {
+  return shape->isRound();
+}
+std::size_t bytesOf(const Shape& shape) {
+  return shape->bytes() + shape.clip().size() * sizeof(HalfSpace);
+}
+const SurfaceFile* surfaceFileOf(const Shape& shape) {
+  return shape->file();
+}
+Shape withoutCutSurface(const Shape& shape) {
+  return shape.clip().empty() ? shape : Shape(shape.any_, shape.clip());
 }
 
 ShapeExtent extentOf(const Shape& shape) {

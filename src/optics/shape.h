@@ -1,6 +1,7 @@
 // A surface that light meets: all that the rest of the program may ask of one. Every shape is a struct in a file
 // of its own (plane.h, cylinder.h, ...) that answers these questions; Shape is a value that holds any of them.
-// Nothing outside of this room names a concrete shape, and no other code switches over shapes.
+// Outside of this room only a level's standard mirror and the scenes of the thesis name a concrete shape, and no other
+// code switches over shapes.
 //
 //     plane.h  cylinder.h  cone.h  sphere.h  ...     one file a shape: fields, hit, normal, box, axes, words
 //          \       \        /       /
@@ -54,8 +55,12 @@ class Shape {
   /// What of the surface is kept: the points that lie in all of them.
   const std::vector<HalfSpace>& clip() const;
   void clipBy(std::vector<HalfSpace> clip);
-  /// Its triangles, cut off; only of a shape that is.
-  const SmoothMesh& cutSurface() const;
+  /// Its triangles, cut off, and their box; only of a shape that is.
+  struct CutSurface {
+    SmoothMesh surface;
+    Box box;
+  };
+  const CutSurface& cutSurface() const;
 
   /// The concrete shape when it is an S, else null: for files that name one, and for tests.
   template <typename S>
@@ -65,10 +70,11 @@ class Shape {
   friend void visitFields(Shape& shape, ShapeFields& fields);
   friend Shape mapShape(const Shape& shape, const ShapeMap& map);
   friend Shape continued(const Shape& shape);
+  friend Shape withoutCutSurface(const Shape& shape);
   friend Shape withControlPointMoved(const Shape& shape, std::size_t number, const Vector& motion);
   struct Cut {
     std::vector<HalfSpace> planes;
-    Lazy<SmoothMesh> surface{};
+    Lazy<CutSurface> surface{};
   };
   Shape(std::shared_ptr<const AnyShape> any, std::vector<HalfSpace> clip);
 
@@ -96,10 +102,19 @@ std::optional<std::string> findEyeProblem(const Shape& shape, const Point& eye);
 /// An eye near this one from which it can, on the side away from the original's middle.
 Point eyeOutside(const Shape& shape, const Point& eye, const Point& original);
 
+/// About how much memory it takes with what is made of it once; without its cut surface, and without its file's mesh.
+std::size_t bytesOf(const Shape& shape);
+
+/// The mesh file that its surface is; null: it is made of none.
+const SurfaceFile* surfaceFileOf(const Shape& shape);
+
+/// The same without the surface that is kept of a cut one: for shapes that may never be shown again.
+Shape withoutCutSurface(const Shape& shape);
+
 /// What the shape is called in files and messages: "plane", "cylinder", ...
 const char* shapeName(const Shape& shape);
 
-/// Of the finite surface: exact for quadrics, else as exact as its triangles are.
+/// Of the finite surface: exact for quadrics, of a cut one as exact as its triangles are.
 Box boxOf(const Shape& shape);
 
 /// What it turns about and is put in place by.
@@ -108,8 +123,11 @@ Point middleOf(const Shape& shape);
 /// Along which it is scaled; the scene's for one that stands upright. Not unit for a shape with a problem.
 Axes axesOf(const Shape& shape);
 
-/// Whether it looks the same however it is turned, and has one size only: a sphere.
+/// Whether it looks the same however it is turned: a sphere.
 bool isRound(const Shape& shape);
+
+/// Whether it has one size only, whatever is cut off.
+bool hasOneSize(const Shape& shape);
 
 /// Sound for every shape.
 ShapeExtent extentOf(const Shape& shape);

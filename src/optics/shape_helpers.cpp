@@ -55,10 +55,9 @@ std::optional<std::string> findLengthProblem(const char* name, double length) {
 }
 
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way) {
-  constexpr double nothing = 1e-9;  // radians; what places far from the origin lose by rounding is less
   const double length = glm::length(way);
   const Direction was = way / length, is = glm::normalize(map.point(at + was) - map.point(at));
-  return isFinite(is) && glm::length(is - was) > nothing ? length * is : way;
+  return isFinite(is) && glm::length(is - was) > notTurned ? length * is : way;
 }
 
 Direction around(const Direction& axis, double fraction) {

@@ -21,10 +21,12 @@ template <typename S>
 ShapeType shapeType() {
   int since = 1;
   if constexpr (requires { S::since; }) since = S::since;
-  return {S::name, S::label, Shape(S{}), since, requires {S::needsFile;
-}
-, [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }
-};  // namespace anamorph
+  constexpr bool needsFile = requires {
+    S::needsFile;
+  };
+  return {S::name,    S::label,
+          Shape(S{}), since,
+          needsFile,  [](const ShapeExtent& room, const Point& eye) { return Shape(S::filling(room, eye)); }};
 }
 
 /// All of them, in the order in which they are offered.

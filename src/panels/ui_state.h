@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "edit/level_repairs.h"
 #include "edit/pick.h"
 #include "level/languages.h"
 #include "level/level_library.h"
@@ -89,6 +90,7 @@ struct UiState : Look {
   Rect tabsArea;                        ///< where they were drawn last
   ViewMouse mouse;                      ///< in the 3D view
   std::optional<GridCell> hoveredCell;  ///< in the preview
+  RepairsStage repairs;                 ///< of a level that cannot be shown
 };
 
 }  // namespace anamorph

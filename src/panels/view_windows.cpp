@@ -63,21 +63,20 @@ void beginFloating(const UiState& ui, const char* name, ImVec2 corner, float alp
 }
 
 // The faults that there is a way out of.
-void sceneRepairs(Editor& editor) {
+void sceneRepairs(Editor& editor, UiState& ui) {
   const Level& level = editor.session.level();
   const Box box = originalBox(editor);
-  const Level outside = eyeMovedOutside(level, box);
-  if (!(outside == level)) {
-    if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(outside);
+  const Repairs& repairs = ui.repairs.at(level, box);
+  if (!(repairs.eyeOutside == level)) {
+    if (ImGui::Button(tr("Move the eye outside the mirror"))) editor.session.edit(repairs.eyeOutside);
     ImGui::SameLine();
   } else if (!findProblem(level.optic)) {
-    const bool isBehind = originalMovedBehind(level, box) == level;
     if (level.sculpture.frozen) {
       if (ImGui::Button(tr("Let it follow again"))) toggleFrozen(editor);
       ImGui::SameLine();
-    } else if (!isBehind || !box.empty()) {
-      if (ImGui::Button(tr(isBehind ? "Fit to the mirror" : "Put the original behind the mirror")))
-        isBehind ? startFit(editor) : startBehind(editor);
+    } else if (!repairs.isBehind || !box.empty()) {
+      if (ImGui::Button(tr(repairs.isBehind ? "Fit to the mirror" : "Put the original behind the mirror")))
+        repairs.isBehind ? startFit(editor) : startBehind(editor);
       ImGui::SameLine();
     }
   }
@@ -85,7 +84,7 @@ void sceneRepairs(Editor& editor) {
 
 void repairButtons(Editor& editor, UiState& ui) {
   const bool isRead = editor.updater.result().shape != nullptr;
-  if (isRead) sceneRepairs(editor);
+  if (isRead) sceneRepairs(editor, ui);
   const Shape& mirror = editor.session.level().optic.shape();
   if (shapeTypes()[shapeIndex(mirror)].needsFile && findShapeProblem(mirror)) {
     if (ImGui::Button(tr("Look for the mirror's mesh..."))) chooseMirror(editor, ui);

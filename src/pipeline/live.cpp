@@ -88,6 +88,7 @@ LiveSculpture::LiveSculpture(const PreparedMesh& original, const PreparedSculptu
   } else {
     normalGroups_ = settled.prepared.normalGroups;
     prototype_ = {{*settled.sculpture, *settled.prepared.bvh, *settled.prepared.normals}, nullptr};
+    prototype_.moving.sculpture.folded = {};
   }
 }
 

@@ -39,7 +39,7 @@ class LiveSculpture {
 
   /// The sculpture of a changed map, for a level without findProblem; `original` is placed, with the triangles of the
   /// constructor's. Triangles with an unmapped corner are still in the mesh, but not in the tree: their
-  /// corners' status tells. The winding is that of the triangles kept.
+  /// corners' status tells. The winding is that of the triangles kept, and what is folded now is told when it is settled.
   PreparedSculpture follow(const VertexMap& map, const std::shared_ptr<const Mesh>& original, int threads);
 
  private:

@@ -20,11 +20,14 @@ std::size_t countNormals(const std::vector<Triangle>& corners) {
 }
 
 std::shared_ptr<const std::vector<float>> bordersOf(const SmoothMesh& surface, const Shape& shape) {
-  auto borders = std::make_shared<std::vector<float>>(surface.normals.size(), 1.0f);
+  constexpr float unknown = -1;
+  auto borders = std::make_shared<std::vector<float>>(surface.normals.size(), unknown);
   for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
+      float& border = (*borders)[surface.normalsOf(t)[i]];
+      if (border != unknown) continue;
       const Point corner = surface.mesh.positions[surface.mesh.triangles[t][i]];
-      (*borders)[surface.normalsOf(t)[i]] = static_cast<float>(shape->borderDistance(corner));
+      border = std::max(0.0f, static_cast<float>(shape->borderDistance(corner)));
     }
   }
   return borders;
@@ -53,16 +56,21 @@ MirrorTriangles MirrorModel::make(const Shape& shape) {
   const bool moves = old.mesh && old.mesh->triangles == surface.mesh.triangles &&
                      old.normalGroups->corners == corners &&
                      old.mesh->positions.size() == surface.mesh.positions.size();
+  // A file's own tree was made when it was read.
+  const SurfaceFile* file = shape.clip().empty() ? surfaceFileOf(shape) : nullptr;
   std::shared_ptr<Bvh> tree;
-  if (moves) {
-    tree = std::make_shared<Bvh>(*old.bvh);
+  if (moves || (file && file->tree)) {
+    tree = std::make_shared<Bvh>(moves ? *old.bvh : *file->tree);
     tree->refit(surface.mesh.positions, 0);
-    m.normalGroups = old.normalGroups;
   } else {
     tree = std::make_shared<Bvh>(surface.mesh.positions, surface.mesh.triangles, 0);
+    ++count_;
+  }
+  if (moves) {
+    m.normalGroups = old.normalGroups;
+  } else {
     const std::size_t count = countNormals(corners);
     m.normalGroups = std::make_shared<const NormalGroups>(NormalGroups{std::move(corners), count});
-    ++count_;
   }
   m.bvh = std::move(tree);
   m.box = boundingBox(surface.mesh.positions);

@@ -15,7 +15,8 @@ namespace anamorph {
 /// All pointers null: there is none.
 struct MirrorTriangles {
   PreparedMesh prepared;
-  std::shared_ptr<const std::vector<float>> borders;  ///< of every normal's corner, as borderDistance()
+  std::shared_ptr<const std::vector<float>>
+      borders;  ///< of every normal's corner, as the whole shape's borderDistance()
 };
 
 class MirrorModel {

@@ -41,5 +41,19 @@ TEST(Caustic, HasBothFocalPointsOfEveryRay) {
   EXPECT_LT(findCaustic(map, box, 50, 1).size(), 100u) << "not what is far beyond the sculpture";
 }
 
+// The inside of a whole ball: what is beyond the opposite wall no ray reaches.
+TEST(Caustic, EndsWhereTheMirrorIsMetAgain) {
+  VertexMap map;
+  map.optic.shape() = SphereMirror{{0, 0, 0}, 4};
+  map.eye = {0.5, -3, 0.2};
+  const PointArray box = boxBehind({0, 6, 0});
+  int points = 0;
+  for (const CausticPoint& point : findCaustic(map, box, 200, 1e9)) {
+    ++points;
+    EXPECT_LT(glm::length(point.at), 4);
+  }
+  EXPECT_GT(points, 50);
+}
+
 }  // namespace
 }  // namespace anamorph

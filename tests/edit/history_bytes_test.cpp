@@ -3,6 +3,8 @@
 #include "edit/history_bytes.h"
 
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,8 +12,12 @@
 
 #include "cli/program.h"
 #include "edit/session.h"
+#include "geometry/normals.h"
+#include "geometry/shapes.h"
 #include "level/level_json.h"
 #include "long_lesson.h"
+#include "optics/mesh_mirror.h"
+#include "optics/patch.h"
 
 namespace anamorph {
 namespace {
@@ -83,6 +89,34 @@ TEST(HistoryBytes, OfEqualWordsThatComeFromElsewhereAreOnce) {
   session.startNew(withLesson(mebibyte));
   for (int i = 0; i < 40; ++i) session.edit(withDepth(withLesson(mebibyte, i % 2 ? 'x' : 'y'), i));  // pasted
   EXPECT_LT(session.historyBytes(), 2 * mebibyte + 40 * 10000);
+}
+
+TEST(HistoryBytes, CountTheMirrorsThatAreNotShared) {
+  PatchMirror patch;
+  patch.heights = {64, std::vector<double>(64 * 64, 0.0)};
+  Level level;
+  level.optic.shape() = patch;
+  const std::size_t one = bytesOf(std::vector<Level>{level});
+  EXPECT_GT(one, 64 * 64 * sizeof(PatchMirror::Cell));
+  EXPECT_LT(bytesOf(std::vector<Level>(10, level)), 2 * one) << "they are the same one";
+  std::vector<Level> apart;
+  for (int i = 0; i < 10; ++i) {
+    patch.heights.heights[0] = i;
+    level.optic.shape() = patch;
+    apart.push_back(level);
+  }
+  EXPECT_GT(bytesOf(apart), 9 * one);
+
+  level.optic.shape() =
+      MeshMirror{{"a.obj", std::make_shared<const SmoothMesh>(withSmoothNormals(makeSphere(1, 96))), {}}, {}};
+  std::vector<Level> moved;
+  for (int i = 0; i < 10; ++i) {
+    moved.push_back(level);
+    level.optic.shape() = mapShape(level.optic.shape(), {[](const Point& p) { return p + Vector(1, 0, 0); }});
+  }
+  const std::size_t first = bytesOf(std::span(moved).first(1));
+  EXPECT_GT(first, 96 * 48 * sizeof(Point));
+  EXPECT_LT(bytesOf(moved), 2 * first) << "all have the mesh of the file";
 }
 
 TEST(HistoryBytes, HaveALimit) {

@@ -71,7 +71,7 @@ TEST(Extrusion, OfAClosedCurveIsAPillar) {
   pillar.closed = true;
   pillar.points.clear();
   for (int i = 0; i < 12; ++i) pillar.points.emplace_back(2 * std::cos(pi * i / 6), 2 * std::sin(pi * i / 6));
-  EXPECT_EQ(pillar.findProblem(), std::nullopt);
+  EXPECT_EQ(findShapeProblem(pillar), std::nullopt);
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double angle = 2 * pi * i / 2000;
@@ -133,10 +133,10 @@ TEST(Extrusion, ProblemsAreNamed) {
        "expected a smooth curve, got one that has a sharp point near"},
   };
   for (const auto& row : table) {
-    const std::string problem = row.mirror.findProblem().value_or("");
+    const std::string problem = findShapeProblem(row.mirror).value_or("");
     EXPECT_EQ(problem.substr(0, std::string(row.message).size()), row.message) << problem;
   }
-  EXPECT_EQ(ExtrusionMirror{}.findProblem(), std::nullopt);
+  EXPECT_EQ(findShapeProblem(ExtrusionMirror{}), std::nullopt);
 }
 
 }  // namespace

@@ -195,5 +195,24 @@ TEST(MirrorProblems, AnEyeOnTheSurfaceFindsAWayOff) {
   }
 }
 
+TEST(CutShape, KeepsItsPlanesAsTheyAreWhileItOnlyMoves) {
+  Shape half = SphereMirror{{1, 2, 3}, 2};
+  half.clipBy({{{1, 2, 3}, {0.3, 0, 2}}});
+  const Shape moved = mapShape(half, {[](const Point& p) { return p + Vector(0.1, 1e3, 1.0 / 3); }});
+  EXPECT_EQ(moved.clip().front().normal, half.clip().front().normal);
+  const Shape turned = mapShape(half, {[](const Point& p) { return Point(p.x, -p.z, p.y); }});
+  EXPECT_LT(glm::length(turned.clip().front().normal - Vector(0.3, -2, 0)), 1e-12)
+      << "and their length when it turns";
+}
+
+TEST(CutShape, OfABallStillHasOneSize) {
+  Shape half = SphereMirror{};
+  EXPECT_TRUE(hasOneSize(half));
+  EXPECT_TRUE(isRound(half));
+  half.clipBy({{{0, 0, 0}, {0, 0, 1}}});
+  EXPECT_TRUE(hasOneSize(half));
+  EXPECT_FALSE(isRound(half)) << "it can be turned";
+}
+
 }  // namespace
 }  // namespace anamorph
