@@ -10,7 +10,7 @@
 
 #include "base/language.h"
 #include "edit/control_points.h"
-#include "edit/replacements.h"
+#include "level/mirror_kind.h"
 #include "optics/shape_table.h"
 #include "panels/file_flow.h"
 #include "panels/panels.h"
