@@ -166,8 +166,9 @@ bool cutRows(Shape& shape) {
     shape.clipBy(std::move(clip));
     return true;
   }
+  const bool hasMiddle = !findShapeProblem(shape);
   if (wideButton("Cut it off", "By a plane through its middle; the upper part is kept.",
-                 clip.size() < limits::mostClips)) {
+                 hasMiddle && clip.size() < limits::mostClips)) {
     clip.push_back({middleOf(shape), {0, 0, 1}});
     changed = true;
   }
