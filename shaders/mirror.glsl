@@ -3,8 +3,6 @@
 #include "camera.glsl"
 #include SHAPE
 
-const int mostLayers = 8;  // cut away one behind the other
-
 // From the planes that cut the mirror off, as a fraction of its size; negative where it is cut away.
 float cutDistance(vec3 point) {
   float nearest = 1e30;
@@ -15,7 +13,7 @@ float cutDistance(vec3 point) {
 // The distance along the ray, before tMax; -1 for none.
 float intersectMirror(Ray ray, float tMax) {
   float t = 0.0;
-  for (int layer = 0; layer < mostLayers; ++layer) {
+  for (int layer = 0; layer < layerLimit; ++layer) {
     t = intersectShape(ray.origin, ray.direction, mirrorShape, t, tMax);
     if (t < 0.0 || cutDistance(ray.origin + t * ray.direction) >= 0.0) return t;
   }

@@ -95,7 +95,7 @@ std::vector<Line> makeLines(Editor& editor, const UiState& ui, const ShownRays& 
   }
   // From the eye the canvas would lie over what is seen in it.
   if (!editor.lookingThrough && display.mirror)
-    append(lines, makeCanvasLines(level.optic, editor.selection.part == Part::mirror));
+    append(lines, makeCanvasLines(level.optic, isOfMirror(editor.selection)));
   if (display.alone != ShownAlone::nothing) return lines;
   append(lines, rays.lines(editor.rays, playTime(editor, rays)));
   if (editor.display.caustic && !result.problem && result.source) append(lines, caustic.at(result));

@@ -56,10 +56,6 @@ Level levelAt(const StepMove& move, const Level& begun, double fraction) {
 
 Level begun(const StepMove& move, Level level, const Box& box) {
   if (!move.shape.empty()) level = withBuiltInOriginal(level, numberOf(originalShapes, move.shape), box);
-  if (!move.mirrorKind.empty()) {
-    level.optic.shape() =
-        mirrorOfKind(numberOf(shapeNames(), move.mirrorKind), level.optic.shape(), level.camera.eye);
-  }
   setSwitches(level, move);
   if (!move.freeze) return level;
   level.sculpture.depthScale = move.depthScale.value_or(level.sculpture.depthScale);

@@ -6,10 +6,11 @@
 #include "base/error.h"
 #include "base/language.h"
 #include "base/text.h"
+#include "edit/level_edits.h"
+#include "edit/replacements.h"
 #include "level/limits.h"
 #include "optics/shape_table.h"
 #include "pipeline/mirror_files.h"
-#include "pipeline/original.h"
 
 namespace anamorph {
 namespace {
@@ -31,7 +32,9 @@ bool isWithoutFile(Shape shape) {
 void nameFile(Shape& shape, const std::string& name) {
   struct Files : SomeShapeFields {
     explicit Files(const std::string& path) : path(path) {}
-    void file(const FieldName&, SurfaceFile& value) override { value = {.path = path, .mesh = nullptr, .problem = {}}; }
+    void file(const FieldName&, SurfaceFile& value) override {
+      value = {.path = path, .mesh = nullptr, .problem = {}};
+    }
     const std::string& path;
   } files(name);
   visitFields(shape, files);
@@ -39,8 +42,10 @@ void nameFile(Shape& shape, const std::string& name) {
 
 Shape fitted(const Shape& shape, const Box& room) {
   const Box own = boxOf(shape);
-  const double factor = factorInto(own, room);
-  ShapeMap map{[&](const Point& p) { return room.centre() + factor * (p - own.centre()); }, Vector(factor)};
+  const double factor = scaleInto(own, room);
+  ShapeMap map;
+  map.point = [&](const Point& p) { return clampedPoint(room.centre() + factor * (p - own.centre())); };
+  map.factors = Vector(factor);
   map.minSize = limits::lengths.min;
   map.maxSize = limits::lengths.max;
   return mapShape(shape, map);

@@ -50,8 +50,7 @@ Pick pickIcon(const PickInput& input, const Pixel& pixel) {
     if (chosen) consider({Part::aim}, input.level.camera.target);
     consider({Part::eye}, input.level.camera.eye);
   }
-  const bool ofMirror = input.selection.part == Part::mirror || input.selection.part == Part::controlPoint;
-  if (input.display.mirror && ofMirror && !findShapeProblem(input.level.optic.shape())) {
+  if (input.display.mirror && isOfMirror(input.selection) && !findShapeProblem(input.level.optic.shape())) {
     int number = 0;
     for (const ControlPoint& control : controlPointsOf(input.level.optic.shape())) {
       consider({Part::controlPoint, number++}, control.at);

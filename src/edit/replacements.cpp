@@ -6,7 +6,6 @@
 #include "edit/level_edits.h"
 #include "level/freeze.h"
 #include "level/limits.h"
-#include "optics/shape_table.h"
 #include "pipeline/original.h"
 
 namespace anamorph {
@@ -36,17 +35,11 @@ struct Resize {
   bool operator()(FileShape&) const { return false; }
 };
 
-// A level has room for scales from a millionth to a million.
-double scaleInto(const Box& own, const Box& room) {
-  const double factor = factorInto(own, room);
-  return factor >= limits::lengths.min && factor <= limits::lengths.max ? factor : 1;
-}
-
 }  // namespace
 
-Shape mirrorOfKind(std::size_t kind, const Shape& old, const Point& eye) {
-  const ShapeType& type = shapeTypes().at(kind);
-  return kind == shapeIndex(old) || type.needsFile ? old : type.filling(extentOf(old), eye);
+double scaleInto(const Box& own, const Box& room) {
+  const double factor = factorInto(own, room);
+  return limits::lengths.holds(factor) ? factor : 1;
 }
 
 OriginalShape builtInShape(std::size_t kind) {

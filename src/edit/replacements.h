@@ -1,5 +1,5 @@
-// Something else in a thing's place: another kind of mirror, another original. Each is about as large as the
-// old one, and where that was.
+// Something else in the original's place: about as large as the old one, and where that was. (Of the mirror:
+// level/mirror_kind.h, mirror_import.h.)
 #pragma once
 
 #include "geometry/mesh.h"
@@ -8,13 +8,8 @@
 
 namespace anamorph {
 
-/// A mirror of another kind (its index in shapeTypes()) with the middle of the old one and
-/// within its height and width; the same when it is of that kind already, and
-/// when that kind needs a file.
-///
-/// Each shape says itself how it fills a room (ShapeType::filling): flat ones turn towards the eye, round ones stay
-/// half as far from their middle as the eye is. Sound whatever the old one is.
-Shape mirrorOfKind(std::size_t kind, const Shape& old, const Point& eye);
+/// The factor by which `own` fits `room`; 1 when a level has no room for such a scale.
+double scaleInto(const Box& own, const Box& room);
 
 /// A built-in original by the index of its alternative in OriginalShape, at its usual size.
 OriginalShape builtInShape(std::size_t kind);

@@ -21,4 +21,9 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
+/// Whether it is the mirror, or a control point of it.
+constexpr bool isOfMirror(const Selection& selection) {
+  return selection.part == Part::mirror || selection.part == Part::controlPoint;
+}
+
 }  // namespace anamorph

@@ -54,6 +54,13 @@ Loop withoutThinness(const Loop& hull) {
   return isLine ? Loop{from, to} : hull;
 }
 
+// Of what is round, or a line, from above the hull is the outline, and exact.
+std::vector<Loop> outlineOf(const std::vector<Point2>& points, const Mesh& surface, bool isRound) {
+  const Loop hull = withoutThinness(convexHull(points));
+  if (isRound || hull.size() == 2) return {hull};
+  return makeSilhouette(points, surface.triangles);
+}
+
 // By the number of sides to the right of the point: odd inside.
 bool isInside(const std::vector<Loop>& loops, const Point2& p) {
   bool inside = false;
@@ -121,6 +128,8 @@ class Drawing {
 
  private:
   std::string surface() const { return tr(plan_.hasMirror ? "mirror" : "canvas"); }
+  // Whether it is flat and upright.
+  bool isLine() const { return plan_.mirror.size() == 1 && plan_.mirror.front().size() == 2; }
   // A canvas does not stand on the table: dashed.
   Pen surfacePen() const { return plan_.hasMirror ? outlinePen : Pen{0.3, ink::blue, {1.5, 1}}; }
 
@@ -140,13 +149,14 @@ class Drawing {
       page_.items.push_back(PageCircle{at(0, 0), *plan_.mirrorRadius / scale_, surfacePen(), ink::lightBlue});
       return;
     }
-    page_.items.push_back(PageShape{moved({plan_.mirror}), true, surfacePen(), ink::lightBlue});
-    if (plan_.mirror.size() == 2 && plan_.hasMirror) drawBack();
+    page_.items.push_back(PageShape{moved(plan_.mirror), true, surfacePen(), ink::lightBlue});
+    if (isLine() && plan_.hasMirror) drawBack();
   }
 
   // Short strokes on the side of an upright mirror that the eye does not see.
   void drawBack() {
-    const Point2 from = at(plan_.mirror[0]), to = at(plan_.mirror[1]), way = to - from;
+    const Loop& line = plan_.mirror.front();
+    const Point2 from = at(line[0]), to = at(line[1]), way = to - from;
     const double length = glm::length(way);
     if (length < 1) return;
     Point2 back = Point2(way.y, -way.x) / length;
@@ -260,9 +270,9 @@ class Drawing {
 
   void drawNames() {
     const auto inSculpture = [&](const Point2& p) { return isInside(plan_.sculpture, p); };
-    const auto inMirror = [&](const Point2& p) { return isInside({plan_.mirror}, p) && !inSculpture(p); };
+    const auto inMirror = [&](const Point2& p) { return isInside(plan_.mirror, p) && !inSculpture(p); };
     drawName(surface(), ink::blue, plan_.mirrorBox, inMirror);
-    if (plan_.mirror.size() == 2) nameLine();
+    if (isLine()) nameLine();
     drawName(tr("sculpture"), ink::vermilion, plan_.sculptureBox, inSculpture);
   }
 
@@ -326,13 +336,14 @@ class Drawing {
 SheetPlan makeSheetPlan(const Arrangement& arrangement) {
   SheetPlan plan;
   plan.hasMirror = arrangement.hasMirror;
-  plan.mirror = withoutThinness(convexHull(flatten(arrangement, arrangement.mirrorSurface.positions)));
+  const std::vector<Point2> mirror = flatten(arrangement, arrangement.mirrorSurface.positions);
   plan.mirrorRadius = circleFromAbove(arrangement.mirror);
+  plan.mirror = outlineOf(mirror, arrangement.mirrorSurface, plan.mirrorRadius.has_value());
   plan.sculpture =
       makeSilhouette(flatten(arrangement, arrangement.sculpture.positions), arrangement.sculpture.triangles);
   plan.eye = arrangement.planOf(arrangement.eye);
   plan.eyeHeight = arrangement.sideOf(arrangement.eye).y;
-  plan.mirrorBox = boxOf(plan.mirror);
+  plan.mirrorBox = boxOf(mirror);
   if (const auto r = plan.mirrorRadius) plan.mirrorBox = {Point2(-*r), Point2(*r)};
   plan.sculptureBox = boxOf(flatten(arrangement, arrangement.sculpture.positions));
   plan.things = plan.mirrorBox;

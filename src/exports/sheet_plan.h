@@ -23,8 +23,8 @@ struct Rectangle {
 
 /// What is drawn, in millimetres of the plan (right, away).
 struct SheetPlan {
-  bool hasMirror = true;  ///< else the mirror is a canvas
-  Loop mirror;  ///< of a mirror that is no circle from above: the hull; two points when it stands upright
+  bool hasMirror = true;               ///< else the mirror is a canvas
+  std::vector<Loop> mirror;            ///< its outline; one of two points when it is flat and stands upright
   std::optional<double> mirrorRadius;  ///< of one that is a circle around the origin
   std::vector<Loop> sculpture;
   Loop plate;

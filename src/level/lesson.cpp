@@ -10,7 +10,7 @@
 #include "level/field_schema.h"
 #include "level/level.h"
 #include "level/limits.h"
-#include "optics/shape_table.h"
+#include "level/mirror_kind.h"
 
 namespace anamorph {
 namespace {
@@ -29,7 +29,7 @@ Names namesIn(const auto& list) {
 Names namesFor(StepEvent event) {
   switch (event) {
     case StepEvent::changedMirror:
-      return namesIn(shapeNames());
+      return mirrorKinds();
     case StepEvent::viewed:
       return namesIn(previewTabs);
     case StepEvent::raysOf:
@@ -141,7 +141,7 @@ static void fields(At& at, StepMove& move) {
   at.names("putRight", move.putRight, mistakeNames);
   at.oneOf("shape", move.shape, Names(originalShapes.begin(), originalShapes.end() - 1));  // all but files
   optional(at, "segments", move.segments, limits::boxSegments.level);
-  at.oneOf("mirrorKind", move.mirrorKind, namesIn(shapeNames()));
+  at.oneOf("mirrorKind", move.mirrorKind, mirrorKinds());
   at.field("lookThrough", move.lookThrough);
   at.field("animate", move.animate);
   at.field("wireframe", move.wireframe);

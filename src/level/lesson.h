@@ -32,7 +32,7 @@ enum class StepEvent {
   movedOriginal,    ///< or turned, or scaled
   movedMirror,      ///< or its size
   changedOriginal,  ///< another shape or file
-  changedMirror,    ///< what: a name of shapeNames()
+  changedMirror,    ///< what: a name of mirrorKinds()
   depthScaleChanged,
   toleranceOff,
   toleranceOn,

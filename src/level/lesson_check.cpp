@@ -1,6 +1,7 @@
 #include "level/lesson_check.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,31 +32,22 @@ class LessonFaults {
   FileRemarks& remarks_;
 };
 
-// What the move makes of the numbers and switches of a level; its shapes keep their kinds.
+// What the move makes of the numbers and switches of a level and of its kind of mirror; the original keeps its kind.
 LevelScene played(LevelScene level, const StepMove& move) {
   setSwitches(level, move);
   setNumbers(level, move, 1);
   return level;
 }
 
-// Whether the condition can be true after the move; figures of the match are not computed for it. `before`: as the step
-// begins, by its `start`.
-bool canHold(const StepCondition& condition, const StepMove& start, const StepMove& move,
-             const LevelScene& before) {
-  const LevelScene after = played(before, move);
-  const bool held = holdsOfLevel(condition, before, after).value_or(true);
+// Whether the move does in the window what the condition waits for; nothing for a condition of the level or of the match.
+std::optional<bool> happens(const StepCondition& condition, const StepMove& start, const StepMove& move) {
   switch (condition.when) {
-    case StepEvent::movedOriginal:
-    case StepEvent::changedOriginal:
-      return held || !move.shape.empty();
-    case StepEvent::movedMirror:
-      return move.mirror || !move.mirrorKind.empty() || move.controlBy;
-    case StepEvent::changedMirror:
-      return move.mirrorKind.empty() ? held : move.mirrorKind == condition.what;
     case StepEvent::pickedPixel:
       return move.pixel.has_value();
     case StepEvent::pickedVertex:
       return move.vertex || move.ends;
+    case StepEvent::pickedEnds:
+      return move.ends.has_value();
     case StepEvent::viewed:
       return (move.preview.empty() ? start.preview : move.preview) == condition.what;
     case StepEvent::lookedThrough:
@@ -73,41 +65,37 @@ bool canHold(const StepCondition& condition, const StepMove& start, const StepMo
       return move.wireframe || start.wireframe;
     case StepEvent::caustic:
       return move.caustic || start.caustic;
+    case StepEvent::wiped:
+      return move.wipe.has_value();
     case StepEvent::undone:
       return move.undo;
     case StepEvent::exported:
       return false;
-    case StepEvent::pickedEnds:
-      return move.ends.has_value();
-    case StepEvent::wiped:
-      return move.wipe.has_value();
-    case StepEvent::frozen:
-      return move.freeze || start.freeze || before.sculpture.frozen;
-    case StepEvent::movedEye:
-    case StepEvent::depthScaleChanged:
-    case StepEvent::toleranceOff:
-    case StepEvent::toleranceOn:
-    case StepEvent::putRight:
-    case StepEvent::eyeAbove:
-    case StepEvent::eyeAway:
-    case StepEvent::keptEye:
-    case StepEvent::depthScaleAbove:
-    case StepEvent::depthScaleBelow:
-    case StepEvent::depthOffsetAbove:
-    case StepEvent::depthOffsetBelow:
-    case StepEvent::verticesBelow:
-    case StepEvent::matchAbove:
-    case StepEvent::matchBelow:
-    case StepEvent::hiddenShareAbove:
-    case StepEvent::hiddenShareBelow:
-    case StepEvent::foldedShareAbove:
-    case StepEvent::foldedShareBelow:
-      break;
+    default:
+      return std::nullopt;
   }
-  return held;
 }
 
-// That what the move picks is there.
+// Whether the condition can be true after the move; figures of the match are not computed for it. `before`: as the step
+// begins, by its `start`.
+bool canHold(const StepCondition& condition, const StepMove& start, const StepMove& move,
+             const LevelScene& before) {
+  if (const auto done = happens(condition, start, move)) return *done;
+  const bool held = holdsOfLevel(condition, before, played(before, move)).value_or(true);
+  switch (condition.when) {
+    case StepEvent::movedOriginal:
+    case StepEvent::changedOriginal:
+      return held || !move.shape.empty();
+    case StepEvent::movedMirror:
+      return held || move.mirror || move.controlBy;
+    case StepEvent::frozen:
+      return move.freeze || start.freeze || before.sculpture.frozen;
+    default:
+      return held;
+  }
+}
+
+// That what the move picks is there: of a level that it has been made in.
 void checkPicks(const StepMove& move, const std::string& path, const LevelScene& level, std::size_t vertices,
                 LessonFaults& faults) {
   const std::size_t controls = controlPointsOf(level.optic.shape()).size();
@@ -132,7 +120,7 @@ void checkPicks(const StepMove& move, const std::string& path, const LevelScene&
 void checkPlay(const LessonStep& step, const std::string& path, const LevelScene& before,
                std::size_t vertices, LessonFaults& faults) {
   const StepMove& move = *step.show.play;
-  checkPicks(move, path, before, vertices, faults);
+  checkPicks(move, path, played(before, move), vertices, faults);
   for (const StepCondition& condition : step.done) {
     if (canHold(condition, step.start, move, before)) continue;
     const std::string event = stepEvents[static_cast<std::size_t>(condition.when)];
@@ -152,8 +140,9 @@ void checkLesson(const LoadedLevel& loaded, std::size_t vertices, FileRemarks& r
     if (!widget.empty() && std::find(controls.begin(), controls.end(), widget) == controls.end()) {
       faults.add(path + "/widget", "the English name of a control", didYouMean(widget, controls));
     }
-    checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), loaded.level, vertices, faults);
-    if (step.show.play) checkPlay(step, path + "/play", played(loaded.level, step.start), vertices, faults);
+    const LevelScene begun = played(loaded.level, step.start);
+    checkPicks(step.start, fmt::format("/lesson/steps/{}/start", i), begun, vertices, faults);
+    if (step.show.play) checkPlay(step, path + "/play", begun, vertices, faults);
   }
 }
 

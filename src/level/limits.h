@@ -50,8 +50,8 @@ constexpr Limit gridDistance{lengths, {0.1, 2}};
 
 // ---- The optic
 
-constexpr Range splinePoints{3,
-                             200};  ///< control values of a curve; a closed one needs three, an open one four
+/// Control values of a curve; a closed one needs three, an open one four.
+constexpr Range splinePoints{3, 200};
 constexpr Range patchPoints{4, 64};   ///< each way
 constexpr std::size_t mostClips = 8;  ///< planes that cut a mirror off
 

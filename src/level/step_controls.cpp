@@ -12,21 +12,24 @@ namespace {
 // clang-format off
 constexpr std::array controls{
     "3D view", "A mesh from a file...", "Add a light", "Ambient", "Animate", "Another mesh...",
-    "Camera, frustum and grid", "Canvas", "Caustic", "Colour", "Colour by status", "Columns", "Control columns", "Control point", "Control points", "Cut at", "Cut it off", "Control rows", "Depth offset", "Depth scale k",
-    "Description", "Difference", "Diffuse", "Direction is right", "Distance", "Distance is right", "Exponent", "Eye",
-    "Fainter if they matter less", "Field of view", "File", "Fit to the mirror", "Freeze the sculpture",
-    "From the start", "Go on", "Grid opacity", "Ground", "Ground height", "Height", "Hide negligible rays",
-    "Hide rays into the sky", "Hide the mirror", "How many", "In the colour they bring", "Inside the level",
-    "Intensity", "Its height", "Its radius", "Its x", "Its y", "Keeps towards", "Language", "Legend", "Let it follow again", "Let it go", "Lift until nothing is hidden",
-    "Lights", "Look through the RT camera", "Looks at", "Loop", "Mesh", "Mirror", "Morph", "Normal is right",
-    "One after the other", "Original", "Parallel projection", "Pause", "Position", "Preview",
-    "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine", "Reflectance", "Reflection",
-    "Reflects", "Remove this cut", "Remove this light", "Reset the level", "Rotation", "Rows", "Samples", "Scale", "Sculpture",
-    "Seen by the eye", "Seen in the mirror", "Segments", "Shadows", "Shape", "Share", "Shininess",
-    "Show only", "Show rays", "Show the lights", "Sides", "Size", "Sky above", "Sky below", "Specular",
-    "Speed", "Stand up", "T R S to move, rotate, scale", "Theme", "Thicker if they matter more", "Thickness",
-    "Tint", "Title", "To the lights too", "Tolerance", "Triangle edges", "Tube radius", "Turn x 90°",
-    "Turn y 90°", "Turn z 90°", "Vertices", "View", "Which", "Wipe"};
+    "Camera, frustum and grid", "Canvas", "Caustic", "Colour", "Colour by status", "Columns",
+    "Control columns", "Control point", "Control points", "Control rows", "Cut at", "Cut it off",
+    "Depth offset", "Depth scale k", "Description", "Difference", "Diffuse", "Direction is right",
+    "Distance", "Distance is right", "Exponent", "Eye", "Fainter if they matter less", "Field of view",
+    "File", "Fit to the mirror", "Freeze the sculpture", "From the start", "Go on", "Grid opacity", "Ground",
+    "Ground height", "Height", "Hide negligible rays", "Hide rays into the sky", "Hide the mirror",
+    "How many", "In the colour they bring", "Inside the level", "Intensity", "Its height", "Its radius",
+    "Its x", "Its y", "Keeps towards", "Language", "Legend", "Let it follow again", "Let it go",
+    "Lift until nothing is hidden", "Lights", "Look through the RT camera", "Looks at", "Loop", "Mesh",
+    "Mirror", "Morph", "Normal is right", "One after the other", "Original", "Parallel projection", "Pause",
+    "Position", "Preview", "Put behind the mirror", "Radius", "Rays", "Recursion depth", "Refine",
+    "Reflectance", "Reflection", "Reflects", "Remove this cut", "Remove this light", "Reset the level",
+    "Rotation", "Rows", "Samples", "Scale", "Sculpture", "Seen by the eye", "Seen in the mirror", "Segments",
+    "Shadows", "Shape", "Share", "Shininess", "Show only", "Show rays", "Show the lights", "Sides", "Size",
+    "Sky above", "Sky below", "Specular", "Speed", "Stand up", "T R S to move, rotate, scale", "Theme",
+    "Thicker if they matter more", "Thickness", "Tint", "Title", "To the lights too", "Tolerance",
+    "Triangle edges", "Tube radius", "Turn x 90°", "Turn y 90°", "Turn z 90°", "Vertices", "View", "Which",
+    "Wipe"};
 // clang-format on
 
 // Adds the rows of a shape.

@@ -97,18 +97,6 @@ void removeTouches(const Bernstein<degree>& p, Crossings<degree>& found) {
 
 }  // namespace
 
-template <int degree>
-Bernstein<degree> fromPowers(const std::array<double, degree + 1>& a) {
-  Bernstein<degree> p;
-  for (int k = 0; k <= degree; ++k) {
-    for (int i = 0; i <= k; ++i) {
-      p.c[static_cast<std::size_t>(k)] +=
-          binomial(k, i) / binomial(degree, i) * a[static_cast<std::size_t>(i)];
-    }
-  }
-  return p;
-}
-
 // Horner's scheme in both s and 1 - s.
 template <int degree>
 ValueAndSlope valueAndSlope(const Bernstein<degree>& p, double s) {
@@ -182,7 +170,6 @@ Bernstein<6> alongDiagonal(const std::array<Cubic, 4>& g) {
 }
 
 #define ANAMORPH_BERNSTEIN(n)                                                           \
-  template Bernstein<n> fromPowers<n>(const std::array<double, n + 1>&);                \
   template ValueAndSlope valueAndSlope<n>(const Bernstein<n>&, double);                 \
   template std::pair<Bernstein<n>, Bernstein<n>> split<n>(const Bernstein<n>&, double); \
   template Crossings<n> findCrossings<n>(const Bernstein<n>&, double)

@@ -38,10 +38,6 @@ struct Crossings {
 
 // Degrees 1 to 6, each compiled once in bernstein.cpp.
 
-/// Of a[0] + a[1] s + a[2] s^2 ...
-template <int degree>
-Bernstein<degree> fromPowers(const std::array<double, degree + 1>& a);
-
 struct ValueAndSlope {
   double value, slope;
 };

@@ -30,8 +30,8 @@ std::vector<Cubic> splineSpans(std::span<const double> controls, bool closed) {
   return spans;
 }
 
-ValueAndSlope splineAt(std::span<const double> controls, double u, bool closed) {
-  const double last = static_cast<double>(countSpans(controls.size(), closed)) - 1;
+ValueAndSlope splineAt(std::span<const double> controls, double u) {
+  const double last = static_cast<double>(countSpans(controls.size(), false)) - 1;
   const double span = std::clamp(std::floor(u), 0.0, last);
   return valueAndSlope(spanOf(controls, static_cast<std::size_t>(span)), u - span);
 }

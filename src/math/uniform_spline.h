@@ -21,8 +21,8 @@ Cubic splineSpan(double c0, double c1, double c2, double c3);
 /// All spans in order; none for too few control values.
 std::vector<Cubic> splineSpans(std::span<const double> controls, bool closed = false);
 
-/// At u, from 0 to the number of spans, the ends included; `slope` is the derivative by u.
-ValueAndSlope splineAt(std::span<const double> controls, double u, bool closed = false);
+/// Of an open one at u, from 0 to the number of spans, the ends included; `slope` is the derivative by u.
+ValueAndSlope splineAt(std::span<const double> controls, double u);
 
 /// The least and the greatest value, exact.
 std::pair<double, double> rangeOf(std::span<const Cubic> spans);

@@ -306,10 +306,11 @@ ShapeWords ExtrusionMirror::words(LengthText text) const {
     const CurvePoint p = placeAt(double(i) / steps).point;
     table += (i > 0 ? ", " : "") + fmt::format("({}, {})", text(p.x - r.min.x), text(p.y - r.min.y));
   }
+  const double lean = degrees(std::atan2(std::hypot(axis.x, axis.y), std::abs(axis.z)));
   return {trFormat("A curved wall, {} mm high, {} x {} mm seen along its axis. It runs through these points, "
                    "in mm: {}. ",
                    text(height), text(r.max.x - r.min.x), text(r.max.y - r.min.y), table),
-          stanceAlong(axis)};
+          lean < 0.05 ? tr("Upright on the blue outline") : stanceAlong(axis)};
 }
 
 }  // namespace anamorph

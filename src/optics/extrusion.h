@@ -34,7 +34,11 @@ struct ExtrusionMirror {
     fields.direction({"axis", "Axis", "Along which the curve is drawn into a wall."}, axis);
     fields.direction({"across", "Across", "The curve's x axis."}, across);
     fields.length({"height", "Height", "Along the axis."}, height);
-    fields.curve({"points", "Point", "What the curve is drawn towards."}, points);
+    fields.curve({.key = "points",
+                  .label = "Point",
+                  .help = "What the curve is drawn towards.",
+                  .fewest = closed ? fewestClosedControls : fewestOpenControls},
+                 points);
     fields.flag({"closed", "Closed", "Whether the curve's end runs into its beginning.", false, true},
                 closed);
   }

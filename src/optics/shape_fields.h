@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/smooth_mesh.h"
+#include "math/uniform_spline.h"
 #include "math/vec.h"
 
 namespace anamorph {
@@ -18,8 +19,9 @@ struct FieldName {
   const char* key;    ///< in files
   const char* label;  ///< in panels, English
   const char* help = "";
-  bool mayBeZero = false;    ///< of a length: else it is > 0
-  bool mayBeAbsent = false;  ///< in files; then it is what it was
+  bool mayBeZero = false;                   ///< of a length: else it is > 0
+  bool mayBeAbsent = false;                 ///< in files; then it is what it was
+  std::size_t fewest = fewestOpenControls;  ///< of the control values of a curve
 };
 
 /// A point of a curve in its own plane.

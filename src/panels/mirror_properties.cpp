@@ -10,7 +10,7 @@
 
 #include "base/language.h"
 #include "edit/control_points.h"
-#include "edit/replacements.h"
+#include "level/mirror_kind.h"
 #include "optics/shape_table.h"
 #include "panels/file_flow.h"
 #include "panels/panels.h"
@@ -48,11 +48,11 @@ class ShapeRows : public ShapeFields {
     }
   }
   void radii(const FieldName& name, std::vector<double>& values) override {
-    if (!splineRows(name, values, limits::splinePoints)) return;
+    if (!splineRows(name, values)) return;
     changed |= numberRow("Its radius", values[chosen()], lengthRange);
   }
   void curve(const FieldName& name, std::vector<CurvePoint>& values) override {
-    if (!splineRows(name, values, limits::splinePoints)) return;
+    if (!splineRows(name, values)) return;
     changed |= numberRow("Its x", values[chosen()].x, coordinates);
     changed |= numberRow("Its y", values[chosen()].y, coordinates);
   }
@@ -106,10 +106,11 @@ class ShapeRows : public ShapeFields {
   }
 
   template <typename Value>
-  bool splineRows(const FieldName& name, std::vector<Value>& values, Range most) {
+  bool splineRows(const FieldName& name, std::vector<Value>& values) {
     if (part_ != Part::sizes || values.size() < 2) return false;
     int count = static_cast<int>(values.size());
-    if (integerRow("Control points", count, {std::max(4.0, most.min), most.max}, name.help)) {
+    const Range counts{static_cast<double>(name.fewest), limits::splinePoints.max};
+    if (integerRow("Control points", count, counts, name.help)) {
       values = resampled(values, static_cast<std::size_t>(std::max(count, 2)));
       changed = true;
     }
@@ -165,8 +166,9 @@ bool cutRows(Shape& shape) {
     shape.clipBy(std::move(clip));
     return true;
   }
+  const bool hasMiddle = !findShapeProblem(shape);
   if (wideButton("Cut it off", "By a plane through its middle; the upper part is kept.",
-                 clip.size() < limits::mostClips)) {
+                 hasMiddle && clip.size() < limits::mostClips)) {
     clip.push_back({middleOf(shape), {0, 0, 1}});
     changed = true;
   }

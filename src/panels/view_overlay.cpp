@@ -178,7 +178,7 @@ void drawAim(const Ink& ink, const Editor& editor) {
 // A dot for each control point of the mirror, while it is selected.
 void drawControlPoints(const Ink& ink, const Editor& editor) {
   const Selection& selection = editor.selection;
-  if (selection.part != Part::mirror && selection.part != Part::controlPoint) return;
+  if (!isOfMirror(selection)) return;
   const Shape& mirror = editor.session.level().optic.shape();
   if (!editor.display.mirror || editor.lookingThrough || findShapeProblem(mirror)) return;
   int number = 0;

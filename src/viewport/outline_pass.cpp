@@ -34,7 +34,7 @@ std::optional<GpuSurface> selectedMesh(const Selection& selection) {
 /// Of the selected thing, in scene coordinates.
 Box selectedBox(const ViewportInput& input, const SceneBlock& scene, const SurfaceSlots& slots) {
   if (const auto mesh = selectedMesh(input.selection)) return slots[static_cast<int>(*mesh)].box;
-  if (input.selection.part == Part::mirror) return boxOf(input.level.optic.shape());
+  if (isOfMirror(input.selection)) return boxOf(input.level.optic.shape());
   const Point middle = input.level.lights[input.selection.index].position;
   const Vector radius(scene.sceneSize.z);
   return {middle - radius, middle + radius};
@@ -80,7 +80,7 @@ OutlinePass::OutlinePass()
 bool OutlinePass::wanted(const ViewportInput& input, const Visible& visible) {
   const Selection& selection = input.selection;
   if (const auto mesh = selectedMesh(selection)) return visible.surface(*mesh);
-  if (selection.part == Part::mirror) return visible.hasMirror();
+  if (isOfMirror(selection)) return visible.hasMirror();
   return selection.part == Part::light && input.display.lightMarkers && selection.index >= 0 &&
          selection.index < std::min<int>(static_cast<int>(input.level.lights.size()), gpuLightLimit);
 }

@@ -22,6 +22,10 @@ namespace anamorph {
 constexpr int gpuMeshCount = 3;  ///< that are drawn and lit
 constexpr int gpuSurfaceCount = gpuMeshCount + 1;
 constexpr int gpuLightLimit = 16;
+/// Pieces of the mirror that are cut away one behind the other on a ray, after which it meets no mirror: a loop of
+/// shaders needs an end. The tracer has no such bound; a quadric has two pieces on a ray, only a spline of many waves or
+/// a mesh can have more than this.
+constexpr int gpuLayerLimit = 8;
 constexpr int sceneBlockPoint = 0;  ///< where programs find the block
 
 /// Which surface is which in the shaders. The mirror is one when its triangles are traced (tessellatedShader).

@@ -7,6 +7,7 @@ SHADER_CONSTANT(int, meshCount, anamorph::gpuMeshCount)
 SHADER_CONSTANT(int, lightLimit, anamorph::gpuLightLimit)
 SHADER_CONSTANT(int, shapeVectors, anamorph::shapeVectors)
 SHADER_CONSTANT(int, mostClips, anamorph::limits::mostClips)
+SHADER_CONSTANT(int, layerLimit, anamorph::gpuLayerLimit)
 
 // Which mesh is which, and flags of a surface.
 SHADER_CONSTANT(int, sculptureSurface, anamorph::GpuSurface::sculpture)

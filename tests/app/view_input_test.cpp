@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "edit/advance.h"
+#include "optics/patch.h"
 #include "panels/style.h"
 #include "viewport/ray_lines.h"
 
@@ -47,6 +48,20 @@ TEST_F(ViewInput, IsEqualWhileNothingChanges) {
     EXPECT_EQ(first, again);
     EXPECT_EQ(first.lines.get(), again.lines.get()) << "the same lines keep their pointer: no upload";
   }
+}
+
+TEST_F(ViewInput, TheCanvasIsHighlightedWhileItsControlPointIsSelected) {
+  Level level = editor.session.level();
+  level.optic = {OpticKind::canvas, PatchMirror{}};
+  editor.session.edit(level);
+  finish();
+  const auto linesWith = [&](const Selection& selection) {
+    editor.selection = selection;
+    return lines();
+  };
+  const std::vector<Line> selected = linesWith({Part::mirror});
+  EXPECT_EQ(linesWith({Part::controlPoint, 14}), selected);
+  EXPECT_NE(linesWith({}), selected);
 }
 
 TEST_F(ViewInput, ChangesWithTheView) {

@@ -99,6 +99,33 @@ TEST(ControlPoints, ArePickedWhileTheMirrorIsSelected) {
   }
 }
 
+// What the panel offers is what the shape takes.
+TEST(ControlPoints, AreAsFewAsTheirFieldSays) {
+  struct Count : SomeShapeFields {
+    explicit Count(std::size_t less) : fewer(less) {}
+    void radii(const FieldName& name, std::vector<double>& values) override {
+      values.resize(name.fewest - fewer, 1);
+    }
+    void curve(const FieldName& name, std::vector<CurvePoint>& values) override {
+      values = {{0, 0}, {3, 0}, {1, 2}, {0, 4}};
+      values.resize(name.fewest - fewer);
+    }
+    std::size_t fewer;
+  } fewest(0), fewer(1);
+  ExtrusionMirror pillar;
+  pillar.closed = true;
+  for (const Shape& mirror : {Shape(RevolutionMirror{}), Shape(ExtrusionMirror{}), Shape(pillar)}) {
+    Shape least = mirror, tooFew = mirror;
+    visitFields(least, fewest);
+    visitFields(tooFew, fewer);
+    EXPECT_EQ(findShapeProblem(least), std::nullopt) << shapeName(mirror);
+    EXPECT_NE(findShapeProblem(tooFew), std::nullopt) << shapeName(mirror);
+  }
+  Shape triangle = pillar;
+  visitFields(triangle, fewest);
+  EXPECT_EQ(controlPointsOf(triangle).size(), 3u);
+}
+
 TEST(Resampled, KeepsEndsAndStraightLines) {
   const std::vector<double> line{1, 2, 3, 4};
   EXPECT_EQ(resampled(line, 7), (std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5, 4}));

@@ -7,7 +7,9 @@
 #include "geometry/mesh_files.h"
 #include "geometry/shapes.h"
 #include "level/level_json.h"
+#include "level/limits.h"
 #include "optics/mesh_mirror.h"
+#include "optics/sphere.h"
 
 namespace anamorph {
 namespace {
@@ -48,6 +50,24 @@ TEST_F(MirrorImports, TakeThePlaceOfAFileThatIsMissing) {
   EXPECT_EQ(mirror->file.path, "ball.obj");
   EXPECT_EQ(mirror->placement, placement) << "it stands as the missing one did";
   EXPECT_EQ(findProblem(result.level->optic), std::nullopt);
+}
+
+// Its own middle is a hundred thousand times as far away as it is large.
+TEST_F(MirrorImports, FarFromTheirOriginCanBeSavedAndRead) {
+  Mesh far = makeSphere(0.1, 48);
+  for (std::size_t i = 0; i < far.positions.size(); ++i)
+    far.positions.set(i, far.positions[i] + Vector(1e4, 0, 0));
+  saveMesh(folder / "far.obj", far);
+  Level level;
+  level.optic.shape() = SphereMirror{{0, 0, 0}, 100};
+  const EditResult result = importMirror({"far.obj", folder / "level.json"}, level);
+  ASSERT_TRUE(result.level);
+  const Placement placement = result.level->optic.shape().as<MeshMirror>()->placement;
+  EXPECT_NEAR(placement.scale.x, 1000, 10) << "as large as the old one";
+  EXPECT_EQ(placement.position.x, limits::coordinates.min) << "as near to it as a level allows";
+  saveLevel(folder / "level.json", *result.level);
+  const Level read = loadLevel(folder / "level.json").level;
+  EXPECT_EQ(read.optic.shape().as<MeshMirror>()->placement, placement);
 }
 
 TEST_F(MirrorImports, ThatCannotBeUsedChangeNothing) {

@@ -7,6 +7,7 @@
 #include "edit/edit_levels.h"
 #include "geometry/shapes.h"
 #include "level/level_json.h"
+#include "level/mirror_kind.h"
 #include "optics/shape_table.h"
 #include "pipeline/original.h"
 #include "shapes.h"

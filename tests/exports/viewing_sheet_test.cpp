@@ -2,6 +2,7 @@
 
 #include "exports/viewing_sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "base/error.h"
 #include "error_text.h"
 #include "exports/page_file.h"
+#include "exports/sheet_plan.h"
 #include "exports/sheet_words.h"
 #include "exports/silhouette.h"
 #include "finished.h"
@@ -175,6 +177,45 @@ TEST(Arrangement, LooksFromTheEyeToTheMirror) {
   EXPECT_NEAR(arrangement.planOf(arrangement.middle).y, 0, 1e-9);
 }
 
+double areaOf(const Loop& loop) {
+  double twice = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto &p = loop[i], &q = loop[(i + 1) % loop.size()];
+    twice += p.x * q.y - p.y * q.x;
+  }
+  return twice / 2;
+}
+
+// A wave can be placed on it: what is drawn is the curve, not the band that holds it.
+TEST(ViewingSheet, DrawsTheOutlineOfACurvedMirrorNotItsHull) {
+  const struct {
+    const char* level;
+    double share;  // at most, of the hull
+  } mirrors[] = {{"wavy-wall", 0.3}, {"patch", 0.95}};
+  for (const auto& [name, share] : mirrors) {
+    SCOPED_TRACE(name);
+    const LevelResult finished =
+        testing::finish(loadLevel(std::string(ANAMORPH_TEST_DATA) + "/levels/" + name + ".json").level);
+    const Arrangement arrangement = makeArrangement(finished, 10);
+    const SheetPlan plan = makeSheetPlan(arrangement);
+    std::vector<Point2> points;
+    for (std::size_t i = 0; i < arrangement.mirrorSurface.positions.size(); ++i)
+      points.push_back(arrangement.planOf(arrangement.mirrorSurface.positions[i]));
+    double area = 0;
+    for (const Loop& loop : plan.mirror) {
+      area += areaOf(loop);
+      for (const Point2& drawn : loop) {
+        const bool isNear = std::any_of(points.begin(), points.end(),
+                                        [&](const Point2& p) { return glm::length(p - drawn) < 3; });
+        EXPECT_TRUE(isNear) << drawn.x << ", " << drawn.y << " mm: nothing of the mirror is there";
+      }
+    }
+    EXPECT_GT(area, 0);
+    EXPECT_LT(area, share * areaOf(convexHull(points)));
+    EXPECT_THAT(makeSheetSteps(arrangement, 1)[1].text, HasSubstr("Upright on the blue outline"));
+  }
+}
+
 TEST(Silhouette, OfABoxIsItsRectangleAndOfARingHasAHole) {
   const auto silhouette = [](const Mesh& mesh) {
     std::vector<glm::dvec2> points;
@@ -182,20 +223,12 @@ TEST(Silhouette, OfABoxIsItsRectangleAndOfARingHasAHole) {
       points.push_back({mesh.positions.x[i], mesh.positions.y[i]});
     return makeSilhouette(points, mesh.triangles);
   };
-  const auto area = [](const Loop& loop) {
-    double twice = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const auto &p = loop[i], &q = loop[(i + 1) % loop.size()];
-      twice += p.x * q.y - p.y * q.x;
-    }
-    return twice / 2;
-  };
   const std::vector<Loop> box = silhouette(makeBox({30, 20, 5}, 3));
   ASSERT_EQ(box.size(), 1u);
-  EXPECT_NEAR(area(box[0]), 600, 3);
+  EXPECT_NEAR(areaOf(box[0]), 600, 3);
   const std::vector<Loop> ring = silhouette(makeTorusKnot(1, 0, 0.2, 64, 16));
   ASSERT_EQ(ring.size(), 2u);
-  EXPECT_LT(area(ring[0]) * area(ring[1]), 0) << "the hole runs the other way around";
+  EXPECT_LT(areaOf(ring[0]) * areaOf(ring[1]), 0) << "the hole runs the other way around";
   EXPECT_TRUE(silhouette({}).empty());
 }
 

@@ -67,6 +67,28 @@ TEST(LessonCheck, FindsVerticesAndPixelsThatThereAreNot) {
             "[7, 8]");
 }
 
+TEST(LessonCheck, KnowsTheMirrorThatAMoveMakes) {
+  const char* last = R"("controlPoint": 35, "controlBy": [0, -1, 0])";
+  const char* none = R"("controlPoint": 36, "controlBy": [0, -1, 0])";
+  const char* kind = R"("mirrorKind": "patch")";
+  const auto faultOfMoves = [](const std::string& play, const std::string& start) {
+    return withoutPlaces(faultOf("[]", "{\"play\": {" + play + "}}, \"start\": {" + start + "}"));
+  };
+  const auto with = [](const char* a, const char* b) { return std::string(a) + ", " + b; };
+  EXPECT_EQ(faultOfMoves(with(kind, last), ""), "");
+  EXPECT_EQ(faultOfMoves(last, kind), "") << "as the step begins";
+  EXPECT_EQ(faultOfMoves("", with(kind, last)), "");
+  EXPECT_EQ(faultOfMoves(last, "").find(
+                "l.json: /lesson/steps/0/show/play/controlPoint: expected no control point"),
+            0u);
+  EXPECT_EQ(
+      faultOfMoves(with(kind, none), "").find("l.json: /lesson/steps/0/show/play/controlPoint: expected one"),
+      0u);
+  EXPECT_EQ(
+      faultOfMoves("", last).find("l.json: /lesson/steps/0/start/controlPoint: expected no control point"),
+      0u);
+}
+
 struct Move {
   const char *done, *play;
   bool meets;
@@ -78,6 +100,8 @@ TEST(LessonCheck, FindsMovesAfterWhichTheStepCannotBeDone) {
                            Move{R"("movedEye")", R"("depthScale": 2)", false},
                            Move{R"("movedOriginal")", R"("original": [1, 2, 3])", true},
                            Move{R"("movedMirror")", R"("mirrorKind": "cone")", true},
+                           Move{R"("movedMirror")", R"("mirrorKind": "sphere")", false},
+                           Move{R"("movedMirror")", R"("mirror": [1, 2, 3])", true},
                            Move{R"("movedMirror")", R"("original": [1, 2, 3])", false},
                            Move{R"("changedOriginal")", R"("segments": 1)", true},
                            Move{R"("changedOriginal")", R"("shape": "pawn")", true},

@@ -152,6 +152,19 @@ TEST(LessonJson, AnUnknownEventNamesAllThatThereAre) {
   EXPECT_NE(error.find("got \"jumped\""), std::string::npos);
 }
 
+// There is no file that it could be made of.
+TEST(LessonJson, AMirrorOfAFileIsNoKindThatAMoveCanMake) {
+  const std::string expected = "expected \"plane\", \"cylinder\"";
+  const auto errorIn = [](const std::string& done, const std::string& show) {
+    return withoutPlaces(errorOf([&] { parseLesson(lessonWith("", done, show), "l.json"); }));
+  };
+  const std::string play = errorIn("[]", R"({"play": {"mirrorKind": "mesh"}})");
+  EXPECT_EQ(play.find("l.json: /lesson/steps/0/show/play/mirrorKind: " + expected), 0u) << play;
+  const std::string done = errorIn(R"([{"when": "changedMirror", "what": "mesh"}])", "{}");
+  EXPECT_EQ(done.find("l.json: /lesson/steps/0/done/0/what: " + expected), 0u) << done;
+  EXPECT_EQ(errorIn("[]", R"({"play": {"mirrorKind": "patch"}})"), "no error");
+}
+
 TEST(LessonJson, ALevelWithABadLessonIsRefused) {
   Level level;
   level.text.edit([&](LevelText& text) { text.lesson = R"({"id": "l", "steps": 3})"; });

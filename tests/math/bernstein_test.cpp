@@ -13,6 +13,23 @@ namespace {
 
 using testing::Random;
 
+double binomial(int n, int k) {
+  return k == 0 ? 1 : binomial(n - 1, k - 1) * n / k;
+}
+
+// Of a[0] + a[1] s + a[2] s^2 ...
+template <int degree>
+Bernstein<degree> fromPowers(const std::array<double, degree + 1>& a) {
+  Bernstein<degree> p;
+  for (int k = 0; k <= degree; ++k) {
+    for (int i = 0; i <= k; ++i) {
+      p.c[static_cast<std::size_t>(k)] +=
+          binomial(k, i) / binomial(degree, i) * a[static_cast<std::size_t>(i)];
+    }
+  }
+  return p;
+}
+
 // Of (s - roots[0]) (s - roots[1]) ..., in powers.
 template <int degree>
 Bernstein<degree> withRoots(const std::vector<double>& roots, double factor = 1) {

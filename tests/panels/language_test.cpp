@@ -14,8 +14,8 @@
 #include <imgui_internal.h>
 
 #include "base/language.h"
-#include "edit/replacements.h"
 #include "level/json.h"
+#include "level/mirror_kind.h"
 #include "optics/shape_table.h"
 #include "panels/dialogs.h"
 #include "panels/dutch.h"

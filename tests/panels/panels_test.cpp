@@ -1,5 +1,6 @@
 #include "panels/panels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,6 +12,7 @@
 
 #include "base/language.h"
 #include "edit/advance.h"
+#include "optics/extrusion.h"
 #include "panels/widgets.h"
 #include "panels_fixture.h"
 
@@ -447,6 +449,38 @@ TEST_F(PanelsTest, ButtonsStandAMeshUpAndTurnIt) {
     frames(2);
   }
   EXPECT_EQ(done, (std::set<std::string>{"turned about y", "up"}));
+}
+
+// One with a problem has no middle that a plane could go through.
+TEST_F(PanelsTest, OnlyASoundMirrorIsCutOff) {
+  ImGui::GetIO().DisplaySize.y = 2400;  // all of the tab is seen
+  for (const bool sound : {true, false}) {
+    SCOPED_TRACE(sound);
+    open("1-plane");
+    Level level = editor.session.level();
+    ExtrusionMirror wall;
+    if (!sound) wall.points.resize(2);
+    level.optic.shape() = wall;
+    level.optic.shape().clipBy({{{0, 0, 1}, {0, 0, 1}}});  // so that the section is open
+    editor.session.edit(level);
+    editor.updater.finish(editor.session, {});
+    editor.selection = {Part::mirror};
+    frames(3);
+    std::size_t cuts = 1;
+    const Rect& rect = ui.layout.properties;
+    for (float y = rect.y + rect.height; y > rect.y + 70 && cuts == 1; y -= 10) {
+      click(rect.x + 0.5f * rect.width, y);
+      letGo();
+      for (const HalfSpace& half : editor.session.level().optic.shape().clip()) {
+        EXPECT_TRUE(isFinite(half.point) && isFinite(half.normal)) << y;
+      }
+      cuts = std::max(cuts, editor.session.level().optic.shape().clip().size());
+      ui.browser.open = false;
+      editor.session.edit(level);
+      frames(2);
+    }
+    EXPECT_EQ(cuts, sound ? 2u : 1u);
+  }
 }
 
 class GizmoInTheView : public PanelsTest {};

@@ -6,6 +6,7 @@
 
 #include "geometry/normals.h"
 #include "geometry/shapes.h"
+#include "optics/extrusion.h"
 #include "shapes.h"
 
 namespace anamorph {
@@ -60,10 +61,32 @@ TEST(MirrorModel, IsCutOffAsTheMirrorIs) {
 
 TEST(MirrorModel, KnowsHowFarItsBorderIs) {
   MirrorModel model;
+  const ExtrusionMirror wall;
+  Shape half = wall;
+  half.clipBy({{{0, 0, 3}, {0, 0, 1}}});
+  for (const Shape& shape : {Shape(wall), half}) {
+    const MirrorTriangles& made = model.at(inputWith(shape));
+    ASSERT_TRUE(made.borders);
+    ASSERT_EQ(made.borders->size(), made.prepared.normals->size());
+    const Mesh& mesh = *made.prepared.mesh;
+    int atTheBorder = 0, inside = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point corner = mesh.positions[mesh.triangles[t][i]];
+        const float border = (*made.borders)[made.prepared.normalGroups->corners[t][i]];
+        EXPECT_NEAR(border, wall.borderDistance(corner), 1e-6) << corner.x << ", " << corner.z;
+        if (corner.z > wall.height - 1e-9) {
+          EXPECT_NEAR(border, 0, 1e-6);
+        }
+        atTheBorder += border < 1e-6f;
+        inside += border > 0.1f;
+      }
+    }
+    EXPECT_GT(atTheBorder, 0);
+    EXPECT_GT(inside, 0);
+  }
   const MirrorTriangles& made = model.at(inputWith(ball));
-  ASSERT_TRUE(made.borders);
-  EXPECT_EQ(made.borders->size(), made.prepared.normals->size());
-  for (const float border : *made.borders) EXPECT_EQ(border, 1);
+  for (const float border : *made.borders) EXPECT_EQ(border, 1) << "a mesh has none";
 }
 
 }  // namespace
