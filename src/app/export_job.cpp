@@ -81,7 +81,7 @@ void ExportJob::start(Task task, const LevelResult& result, const ExportDialog& 
         if (task == Task::check) {
           const auto check = checkSculpture(finished, request, threads, progress);
           if (!check) return;
-          const auto problems = findPrintProblems(*check, countNotMapped(finished));
+          const auto problems = findPrintProblems(*check, leftOutOf(finished));
           const auto hints = findPrintHints(*check);
           outcome.message = tr(!problems.empty() ? "A printer would stumble over this:"
                                : !hints.empty()  ? "It is closed and sound, but mind this:"

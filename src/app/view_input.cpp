@@ -127,7 +127,8 @@ ViewportInput ViewInputMaker::make(Editor& editor, const UiState& ui, const Show
   input.selection = editor.selection;
   input.lines = lines_;
   input.screen = result.screen;
-  input.lineScale = ui.scale * (ui.theme == Theme::projector ? 1.6 : 1);
+  // For an audience thicker; large signs are thick enough.
+  input.lineScale = std::max(ui.scale, ui.theme == Theme::projector ? 1.6 : 1.0);
   input.transparent = transparent;
   if (transparent) input.display.lightMarkers = false;
   return input;

@@ -59,6 +59,27 @@ std::vector<std::string> surfaceRemarks(const Mesh& welded, const std::string& f
   return remarks;
 }
 
+// The figures that keep it from being a match; empty where it is one.
+std::string weakFigures(const MatchReport& report) {
+  const MatchGrade grade = gradeOf(report);
+  if (grade == MatchGrade::excellent || grade == MatchGrade::match || grade == MatchGrade::tooSmall)
+    return {};
+  const MatchBounds& good = boundsOf(MatchGrade::match);
+  std::string why;
+  const auto add = [&](bool weak, const std::string& what) {
+    if (weak) why += (why.empty() ? "" : ", ") + what;
+  };
+  add(report.hiddenShare > good.hiddenShare, fmt::format("{:.1f} % hidden", 100 * report.hiddenShare));
+  add(report.missedShare > good.missedShare, fmt::format("{:.1f} % missed", 100 * report.missedShare));
+  add(report.foldedShare > 0, fmt::format("{:.1f} % folded", 100 * report.foldedShare));
+  add(report.extraShare > good.extraShare,
+      fmt::format("{:.1f} % beside the original", 100 * report.extraShare));
+  add(report.comparedPixels > 0 && report.p99Px > good.p99Px,
+      fmt::format("points {:.1f} px off", report.p99Px));
+  add(report.contourPx > good.contourPx, fmt::format("outline {:.1f} px off", report.contourPx));
+  return why;
+}
+
 void checkMesh(const LoadedMesh& loaded, const std::string& file, Finding& finding) {
   finding.warn(loaded.warnings);
   const Mesh& mesh = loaded.mesh;
@@ -82,7 +103,7 @@ void checkScene(const Level& level, Finding& finding) {
 
 void checkLevel(const std::string& path, const LoadedLevel& loaded, const CommonOptions& common,
                 Finding& finding) {
-  constexpr int matchSize = 256;
+  constexpr int matchSize = 512;  // as that of `anamorph match`: both say the same
   const Level& level = loaded.level;
   const auto shape = loadOriginal(level.original.shape, path, common.meshLimits());
   finding.warn(shape.warnings);
@@ -95,6 +116,8 @@ void checkLevel(const std::string& path, const LoadedLevel& loaded, const Common
   for (const std::string& warning : finished.warnings) finding.warn({path + ": " + warning});
   const MatchReport report = matchLevel(finished, matchSize, matchSize, common.threads).report;
   if (const auto problem = findMatchProblem(report)) finding.warn({path + ": " + *problem});
+  if (const std::string why = weakFigures(report); !why.empty())
+    finding.warn({fmt::format("{}: the match is {}: {}", path, matchGradeName(gradeOf(report)), why)});
   finding.summary = fmt::format("level \"{}\", {} {}, {} of {} vertices mapped, match {}", level.text->title,
                                 shapeName(level.optic.shape()), surfaceName(level.optic),
                                 finished.sculpture.sculpture->originalStatus[0],

@@ -201,9 +201,9 @@ void exportFiles(const ExportOptions& options, const CommonOptions& common) {
       request.smallestWidth = options.smallestWidth;
       return *checkSculpture(finished, request, common.threads, bar.progress());
     }();
-    const std::size_t notMapped = countNotMapped(finished);
-    json.add("printCheck", printCheckJson(check, notMapped));
-    if (!common.json) printText(piped ? stderr : stdout, formatPrintReport(check, notMapped));
+    const LeftOut leftOut = leftOutOf(finished);
+    json.add("printCheck", printCheckJson(check, leftOut));
+    if (!common.json) printText(piped ? stderr : stdout, formatPrintReport(check, leftOut));
   }
   if (common.json) printJson(json.value());
   if (failed == 0) return;

@@ -85,7 +85,8 @@ void listAll(const std::vector<LevelEntry>& entries, const CommonOptions& common
   const char* group = "";
   for (const LevelEntry& entry : entries) {
     if (!common.json && std::strcmp(group, entry.group) != 0) {
-      printLine(stdout, fmt::format("{}{}:", *group ? "\n" : "", entry.group));
+      if (*group) printLine(stdout, "");
+      printLine(stdout, fmt::format("{}:", entry.group));
       group = entry.group;
     }
     const std::string& text = entry.problem.empty() ? entry.title : entry.problem;

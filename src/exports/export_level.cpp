@@ -33,9 +33,10 @@ std::optional<PrintCheck> checkSculpture(const LevelResult& finished, const Expo
   return check;
 }
 
-std::size_t countNotMapped(const LevelResult& finished) {
-  const StatusCounts& counts = finished.sculpture.sculpture->originalStatus;
-  return std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
+LeftOut leftOutOf(const LevelResult& finished) {
+  const Sculpture& sculpture = *finished.sculpture.sculpture;
+  const StatusCounts& counts = sculpture.originalStatus;
+  return {std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0}), sculpture.folded.share};
 }
 
 }  // namespace anamorph

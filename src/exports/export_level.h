@@ -22,7 +22,7 @@ std::optional<ExportSummary> exportLevel(const LevelResult& finished, const Expo
 std::optional<PrintCheck> checkSculpture(const LevelResult& finished, const ExportRequest& request,
                                          int threads = 1, const Progress& progress = {});
 
-/// How many vertices of the original are not in the sculpture, for findPrintProblems.
-std::size_t countNotMapped(const LevelResult& finished);
+/// What of the original is not in the sculpture, for findPrintProblems.
+LeftOut leftOutOf(const LevelResult& finished);
 
 }  // namespace anamorph

@@ -67,15 +67,22 @@ std::string thinSentence(const PrintCheck& check) {
               : tr("Thicken the original there in a mesh editor"));
 }
 
-std::string openSentence(const PrintCheck& check, std::size_t notMapped) {
+std::string openSentence(const PrintCheck& check, const LeftOut& leftOut) {
   std::string text =
       trFormat("the surface is open: {} no neighbour, so no slicer can tell inside from outside. ",
                countOf(check.topology.borderEdges, "edge has", "edges have"));
-  if (notMapped > 0) {
+  if (leftOut.foldedShare > 0) {
+    return text + trFormat(
+                      "{:.2g} % of the sculpture is folded and left out: bring all of it nearer to the "
+                      "mirror, or beyond "
+                      "where its rays cross",
+                      100 * leftOut.foldedShare);
+  }
+  if (leftOut.notMapped > 0) {
     return text + trFormat(
                       "{} of the original did not reach the sculpture: move the "
                       "original, the eye or the mirror until all are mapped",
-                      countOf(notMapped, "vertex", "vertices"));
+                      countOf(leftOut.notMapped, "vertex", "vertices"));
   }
   return text + tr("The original itself is open: close its holes in a mesh editor");
 }
@@ -112,10 +119,10 @@ std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads, const Progre
   return check;
 }
 
-std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t notMapped) {
+std::vector<std::string> findPrintProblems(const PrintCheck& check, const LeftOut& leftOut) {
   const SurfaceTopology& topology = check.topology;
   std::vector<std::string> problems;
-  if (topology.borderEdges > 0) problems.push_back(openSentence(check, notMapped));
+  if (topology.borderEdges > 0) problems.push_back(openSentence(check, leftOut));
   if (check.doubled > 0) {
     problems.push_back(
         trFormat("{} there twice, on the same place. Remove double faces of the original in a mesh editor",
@@ -208,9 +215,8 @@ std::string formatPrintCheck(const PrintCheck& check) {
   return text;
 }
 
-std::string formatPrintReport(const PrintCheck& check, std::size_t notMapped) {
-  const std::vector<std::string> problems = findPrintProblems(check, notMapped),
-                                 hints = findPrintHints(check);
+std::string formatPrintReport(const PrintCheck& check, const LeftOut& leftOut) {
+  const std::vector<std::string> problems = findPrintProblems(check, leftOut), hints = findPrintHints(check);
   const char* verdict = !problems.empty() ? tr("not as it is")
                         : hints.empty()   ? tr("yes")
                                           : tr("yes, with care");
@@ -220,7 +226,7 @@ std::string formatPrintReport(const PrintCheck& check, std::size_t notMapped) {
   return text;
 }
 
-JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
+JsonValue printCheckJson(const PrintCheck& check, const LeftOut& leftOut) {
   const SurfaceTopology& topology = check.topology;
   JsonObject object;
   object.add("vertices", check.vertices)
@@ -252,7 +258,7 @@ JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped) {
   object.add("walls", walls);
   object.add("boundsMm", JsonObject().add("min", check.box.min).add("max", check.box.max).value());
   if (topology.isSound()) object.add("volumeMm3", check.volume);
-  const std::vector<std::string> problems = findPrintProblems(check, notMapped);
+  const std::vector<std::string> problems = findPrintProblems(check, leftOut);
   object.add("printable", problems.empty());
   object.add("problems", textList(problems));
   object.add("notes", textList(check.notes));

@@ -43,8 +43,15 @@ std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads = 1, const Pr
                                      const PrintCheckLimits& limits = {});
 
 /// What a slicer would stumble over, and what to do about it, in sentences; empty: nothing.
-/// `notMapped` is how many vertices of the original did not come into the sculpture.
-std::vector<std::string> findPrintProblems(const PrintCheck& check, std::size_t notMapped);
+/// What of the original did not come into the sculpture.
+struct LeftOut {
+  LeftOut(std::size_t vertices = 0, double folded = 0)
+      : notMapped(vertices), foldedShare(folded) {}  // NOLINT: often one
+  std::size_t notMapped;                             ///< vertices
+  double foldedShare;                                ///< as LeftOutFolds has it
+};
+
+std::vector<std::string> findPrintProblems(const PrintCheck& check, const LeftOut& leftOut);
 
 /// Worth knowing though it can be printed: what was put right, and walls that are thin in a few spots only.
 std::vector<std::string> findPrintHints(const PrintCheck& check);
@@ -53,10 +60,10 @@ std::vector<std::string> findPrintHints(const PrintCheck& check);
 std::vector<std::pair<std::string, std::string>> printCheckRows(const PrintCheck& check);
 /// The same as a line each.
 std::string formatPrintCheck(const PrintCheck& check);
-/// The same with whether it can be printed, what hinders that and what is worth knowing; `notMapped` as for
+/// The same with whether it can be printed, what hinders that and what is worth knowing; `leftOut` as for
 /// findPrintProblems().
-std::string formatPrintReport(const PrintCheck& check, std::size_t notMapped);
+std::string formatPrintReport(const PrintCheck& check, const LeftOut& leftOut);
 
-JsonValue printCheckJson(const PrintCheck& check, std::size_t notMapped);
+JsonValue printCheckJson(const PrintCheck& check, const LeftOut& leftOut);
 
 }  // namespace anamorph

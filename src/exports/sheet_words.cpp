@@ -14,12 +14,30 @@ std::string mm(double millimetres) {
   return formatLength(millimetres) + " mm";
 }
 
-std::string describeMirror(const Shape& mirror, double bottom) {
+// A plane that cuts the mirror off, by a height where it is level, else by a point of it and its slope.
+std::string describeCut(const Arrangement& arrangement, const HalfSpace& half) {
+  const Direction n = glm::normalize(half.normal);
+  const double height = half.point.z - arrangement.table;
+  constexpr double level = 1 - 1e-9;
+  if (n.z > level) return trFormat("What is lower than {} above the table is cut away. ", mm(height));
+  if (n.z < -level) return trFormat("What is higher than {} above the table is cut away. ", mm(height));
+  const Point2 at = arrangement.planOf(half.point);
+  const Point2 way = arrangement.planOf(half.point + n) - at;
+  return trFormat(
+      "A plane cuts it through the point {} to the right of the cross, {} beyond it and {} high; kept is the "
+      "side "
+      "towards ({:.2f}, {:.2f}, {:.2f}) in right, beyond and up. ",
+      mm(at.x), mm(at.y), mm(height), way.x, way.y, n.z);
+}
+
+std::string describeMirror(const Arrangement& arrangement, double bottom) {
+  const Shape& mirror = arrangement.mirror;
   ShapeWords words = mirror->words(formatLength);
   if (!mirror.clip().empty()) {
     const Vector size = boxOf(mirror).size();
-    words.size += trFormat("Of it a piece of {} x {} x {} is left, cut off by planes. ", mm(size.x),
+    words.size += trFormat("Of it a piece of {} x {} x {} is left, along the axes of the level. ", mm(size.x),
                            mm(size.y), mm(size.z));
+    for (const HalfSpace& half : mirror.clip()) words.size += describeCut(arrangement, half);
     words.stance = tr("Over the blue outline");
   }
   if (bottom <= nothing) return words.size + words.stance + ".";
@@ -57,8 +75,7 @@ std::vector<SheetStep> makeSheetSteps(const Arrangement& arrangement, double sca
   if (scale < 1) paper = "Larger than life: set up by the figures, which are true lengths in mm.";
   steps.push_back({tr("Paper"), tr(paper), ink::black});
   if (arrangement.hasMirror) {
-    steps.push_back(
-        {tr("Mirror"), describeMirror(arrangement.mirror, mirror.min.z - arrangement.table), ink::blue});
+    steps.push_back({tr("Mirror"), describeMirror(arrangement, mirror.min.z - arrangement.table), ink::blue});
   } else {
     steps.push_back({tr("Canvas"),
                      tr("Only thought of: nothing stands there, the sculpture is seen directly."),

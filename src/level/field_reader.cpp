@@ -49,7 +49,7 @@ void FieldReader::need(std::initializer_list<const char*> keys) {
 
 void FieldReader::need(const std::vector<const char*>& keys) {
   for (const char* key : keys) {
-    if (silent_ || find(key) || isFaulty(key)) continue;
+    if (silent_ || find(key) || isFaulty(key) || guessed_) continue;
     fault(fmt::format("expected the key {}, got an object without it", quoteJson(key)), json_, path_);
   }
 }
@@ -324,6 +324,7 @@ std::optional<std::size_t> FieldReader::readChoice(const char* key, const std::v
   if (json && name == names.end()) {
     fail(pathOf(key), inQuotes(names), *json, didYouMean(text, names));
     name = std::find(names.begin(), names.end(), nearestWord(text, names));
+    guessed_ = true;
   }
   silent_ |= name == names.end();
   return name == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(name - names.begin()));

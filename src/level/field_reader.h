@@ -165,6 +165,7 @@ class FieldReader {
   std::vector<std::string_view> asked_;
   std::vector<std::string_view> faulty_;  // of those
   bool silent_ = false;                   // nothing more can be said of this object
+  bool guessed_ = false;                  // which keys it needs is not certain
 };
 
 }  // namespace anamorph

@@ -85,7 +85,16 @@ std::optional<std::string> MeshMirror::findProblem() const {
 }
 
 std::optional<std::string> MeshMirror::findEyeProblem(const Prepared& prepared, const Point& eye) const {
-  return findDistanceProblem(glm::length(eye - prepared.middle), 0.5 * prepared.box.diagonal(), "size");
+  const double size = 0.5 * prepared.box.diagonal(), near = shapeTolerance * size;
+  if (auto problem = findDistanceProblem(glm::length(eye - prepared.middle), size, "size")) return problem;
+  // Near a surface one of these directions meets it within twice the distance.
+  for (const Direction& axis : sceneAxes) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto hit = intersect(prepared, {eye, sign * axis}, -near);
+      if (hit && hit->t <= near) return findContactProblem(0, 1);
+    }
+  }
+  return std::nullopt;
 }
 
 Point MeshMirror::eyeOutside(const Prepared& prepared, const Point& eye, const Point& original) const {

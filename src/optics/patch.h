@@ -16,7 +16,7 @@
 namespace anamorph {
 
 struct PatchMirror {
-  static constexpr const char *name = "patch", *label = "Curved patch";
+  static constexpr const char *name = "patch", *label = "Free form";
   static constexpr int since = 2;
 
   Point origin{-6, 0, 0};

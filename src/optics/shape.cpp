@@ -24,6 +24,15 @@ HalfSpace mapHalfSpace(const HalfSpace& half, const ShapeMap& map) {
   return {origin, glm::length(turned - n) > notTurned ? glm::length(half.normal) * turned : half.normal};
 }
 
+// A cut along a border leaves a line.
+bool hasArea(const Mesh& mesh) {
+  constexpr double nothing = 1e-9;  // of a triangle, as a share of the whole
+  const double size = lengthSquared(boundingBox(mesh.positions).size());
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    return glm::length(areaVector(mesh.positions, t)) > nothing * size;
+  });
+}
+
 }  // namespace
 
 double ShapeMap::size(double length, double factor) const {
@@ -90,7 +99,7 @@ std::optional<std::string> findShapeProblem(const Shape& shape) {
   for (const HalfSpace& half : shape.clip()) {
     if (!(glm::length(half.normal) > 0)) return tr("expected a normal of clip that is not 0");
   }
-  if (!shape.clip().empty() && shape.cutSurface().surface.mesh.triangles.empty()) {
+  if (!shape.clip().empty() && !hasArea(shape.cutSurface().surface.mesh)) {
     return tr("expected a clip that leaves some of the surface, got one that cuts all of it away");
   }
   return std::nullopt;

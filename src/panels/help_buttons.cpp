@@ -1,5 +1,7 @@
 #include "panels/help_buttons.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -18,8 +20,12 @@ EditResult lift(const Level& level, const std::shared_ptr<const Mesh>& placed, c
                "smaller, the mirror larger, or go farther away.")};
   }
   if (*lifted == level) return {std::nullopt, tr("Nothing is hidden: the eye is high enough.")};
-  const double higher = lifted->camera.eye.z - level.camera.eye.z;
-  return {lifted, trFormat("The eye is {:.2f} higher now, and nothing is hidden.", higher)};
+  const Vector way = lifted->camera.eye - level.camera.eye;
+  const double aside = std::hypot(way.x, way.y);
+  if (aside < 0.005) return {lifted, trFormat("The eye is {:.2f} higher now, and nothing is hidden.", way.z)};
+  return {lifted,
+          trFormat("The eye is {:.2f} higher now and {:.2f} nearer over the ground, and nothing is hidden.",
+                   way.z, aside)};
 }
 
 EditResult fit(const Level& level, const std::shared_ptr<const Mesh>& placed, const Progress& progress) {

@@ -42,7 +42,10 @@ void offerStart(Editor& editor, UiState& ui) {
   tooltip("With the level that it is meant to begin with; can be undone");
 }
 
-// An answer can be given until the right one is; each says what is wrong or right about it.
+float answerInset() {
+  return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
 void drawQuestion(Editor& editor, UiState& ui) {
   const LessonRun& run = editor.lesson;
   const auto& question = run.open().question;
@@ -51,18 +54,41 @@ void drawQuestion(Editor& editor, UiState& ui) {
     const FontScope strong(ui.fonts.strong);
     ui.longTexts.draw(question->text);
   }
-  ImGui::BeginDisabled(isAnswered(run));
-  for (std::size_t i = 0; i < question->answers.size(); ++i) {
-    const std::string text = inOneLine(tr(question->answers[i].text)) + fmt::format("###{}", i);
-    if (ImGui::RadioButton(text.c_str(), run.answer == i)) answerStep(editor, i);
-  }
-  ImGui::EndDisabled();
+  drawAnswers(editor, ui);
   if (!run.answer) return;
   const StepAnswer& given = question->answers[*run.answer];
   barred(given.reply, given.right ? ink::good(ui.theme) : ink::bad(ui.theme), ui.longTexts, ui);
 }
 
 }  // namespace
+
+// Longer ones than the panel is wide are wrapped, and a click on the words is one on the circle.
+void drawAnswers(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
+  const auto& answers = run.open().question->answers;
+  ImGui::BeginDisabled(isAnswered(run));
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    bool given = ImGui::RadioButton(fmt::format("###{}", i).c_str(), run.answer == i);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::BeginGroup();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
+    ui.longTexts.draw(answers[i].text);
+    ImGui::EndGroup();
+    given |= ImGui::IsItemClicked() && !isAnswered(run);
+    if (given) answerStep(editor, i);
+  }
+  ImGui::EndDisabled();
+}
+
+float answersHeight(const LessonRun& run, float width) {
+  if (!run.open().question) return 0;
+  float height = 0;
+  for (const StepAnswer& answer : run.open().question->answers) {
+    height += paragraphHeight(tr(answer.text), width - answerInset()) + ImGui::GetStyle().FramePadding.y +
+              ImGui::GetStyle().ItemSpacing.y;
+  }
+  return height;
+}
 
 void drawTask(const LessonRun& run, UiState& ui) {
   barred(run.open().task, run.done ? ink::good(ui.theme) : ink::accent(ui.theme), ui.longTexts, ui);

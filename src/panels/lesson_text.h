@@ -13,6 +13,11 @@ void drawStepText(Editor& editor, UiState& ui, bool withTask);
 void drawTask(const LessonRun& run, UiState& ui);
 float taskHeight(const LessonRun& run, const Look& look, float width);
 
+/// The answers of the open step's question, to be chosen, wrapped; and how high they are at a width, in pixels, in the current
+/// font.
+void drawAnswers(Editor& editor, UiState& ui);
+float answersHeight(const LessonRun& run, float width);
+
 /// A dot for every step: filled when done, ringed when open, small when optional. A click opens a step.
 void drawStepDots(Editor& editor, const Look& look);
 

@@ -84,6 +84,11 @@ MatchScore matchScore(const LevelResult& result) {
       {"Silhouette", percent(report.silhouetteIou), report.contourPx <= good.contourPx,
        "Pixels that original and reflection both show, of those that either shows (IoU)."},
   };
+  // What makes it worse comes before what lessons speak of; while it changes, each keeps its place.
+  if (result.complete) {
+    std::stable_partition(score.parts.begin(), score.parts.end(),
+                          [](const MatchPart& part) { return !part.good; });
+  }
   return score;
 }
 

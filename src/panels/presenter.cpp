@@ -28,18 +28,25 @@ ImVec2 paddingOf(const UiState& ui) {
   return {20 * s, 12 * s};
 }
 
-void words(const LessonRun& run, UiState& ui) {
+void words(Editor& editor, UiState& ui) {
+  const LessonRun& run = editor.lesson;
   const LessonStep& step = run.open();
   {
     const FontScope strong(ui.fonts.strong);
     ImGui::TextColored(ink::accent(ui.theme), "%s   %s", stepCount(run).c_str(), tr(step.title.c_str()));
   }
-  const FontScope huge(ui.fonts.huge);
   // What was done while rehearsing is no answer yet.
   const bool notice = run.doneNow && !step.notice.empty();
-  if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.theme));
-  ui.longTexts.draw(notice ? step.notice : isAnswered(run) ? step.task : step.question->text);
-  if (notice) ImGui::PopStyleColor();
+  const bool asks = !notice && !isAnswered(run);
+  {
+    const FontScope huge(ui.fonts.huge);
+    if (notice) ImGui::PushStyleColor(ImGuiCol_Text, ink::good(ui.theme));
+    ui.longTexts.draw(notice ? step.notice : asks ? step.question->text : step.task);
+    if (notice) ImGui::PopStyleColor();
+  }
+  if (!asks) return;
+  const FontScope strong(ui.fonts.strong);
+  drawAnswers(editor, ui);
 }
 
 }  // namespace
@@ -57,6 +64,7 @@ float presenterHeight(const Editor& editor, const UiState& ui) {
       if (words) text = std::max(text, paragraphHeight(tr(*words), width));
   }
   const FontScope strong(ui.fonts.strong);
+  if (!isAnswered(editor.lesson)) text += answersHeight(editor.lesson, width);
   return text + ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y + 2 * padding.y;
 }
 
@@ -65,7 +73,7 @@ void drawPresenter(Editor& editor, UiState& ui) {
   drawMouseMark(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, paddingOf(ui));
   if (!editor.lesson.empty() && beginPanel("##presenter", ui.layout.words)) {
-    words(editor.lesson, ui);
+    words(editor, ui);
     ImGui::End();
   }
   ImGui::PopStyleVar();

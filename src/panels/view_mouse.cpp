@@ -6,6 +6,7 @@ namespace anamorph {
 
 void endViewDrag(Editor& editor, ViewMouse& mouse, bool keep) {
   if (mouse.drag == ViewDrag::gizmo) {
+    editor.status.clear();  // how far it was dragged; what is to be known of the sculpture comes again
     if (keep) {
       editor.session.finishChange();
     } else {

@@ -1,5 +1,6 @@
 #include "pipeline/mirror_files.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -24,6 +25,11 @@ SurfaceFile readSurface(SurfaceFile file, const std::string& path, const MeshLim
   try {
     LoadedSurface loaded = loadSurface(path, limits, token);
     const Mesh& mesh = loaded.surface.mesh;
+    const bool hasArea = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+      return areaVector(mesh.positions, t) != Vector(0);
+    });
+    if (!hasArea && !mesh.triangles.empty())
+      throw Error("expected a mesh with an area, got one whose triangles are all lines or points", path);
     if (mesh.triangles.size() <= SurfaceFile::mostTriangles)
       file.tree = std::make_shared<const Bvh>(mesh.positions, mesh.triangles, 0);
     std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(warnings));

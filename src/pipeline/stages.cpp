@@ -93,9 +93,9 @@ std::optional<std::string> foldSentence(const LeftOutFolds& folded) {
                                 ? trFormat("between {:.3g} and {:.3g}", foci.nearest, foci.farthest)
                                 : shownFormat("{:.3g}", foci.nearest);
   return trFormat(
-      "{} of the sculpture is folded and left out: its rays cross {} before the mirror; stay nearer than "
-      "that with a "
-      "smaller depth scale, or go beyond with the depth offset",
+      "{} of the sculpture is folded and left out: its rays cross {} before the mirror. Bring all of it "
+      "nearer "
+      "than that with the depth scale, or all of it beyond with the depth offset",
       share, where);
 }
 
