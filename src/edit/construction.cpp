@@ -15,7 +15,7 @@ namespace {
 using Kind = ConstructionSegment::Kind;
 
 constexpr int arcSegments = 24;
-constexpr double farthestFocus = 5;  // |QS|: others are no danger to the sculpture
+constexpr double farthestFocus = 8;  // |QS|: others are no danger to the sculpture
 
 std::string pointText(const Point& p) {
   return shownFormat("({:.2f}, {:.2f}, {:.2f})", p.x, p.y, p.z);
@@ -90,13 +90,17 @@ void addFoci(Construction& made, const VertexMap& map) {
   if (map.mistakes.any() || !ray.mapped()) return;
   const auto bundle = bundleAround(map, ray.original);
   const std::vector<double> foci = bundle ? bundle->foci() : std::vector<double>();
+  const VertexLeg& last = ray.legs.back();
   std::string distances;
+  double farthest = ray.reach;
   for (const double focus : foci) {
     if (focus > farthestFocus * ray.reach) continue;
-    const VertexLeg& last = ray.legs.back();
     made.points.push_back({last.start + focus * last.direction, "F"});
+    farthest = std::max(farthest, focus);
     distances += (distances.empty() ? "" : ", ") + shownFormat("{:.3f}", focus);
   }
+  if (farthest > ray.reach)
+    made.segments.push_back({ray.sculpture, last.start + farthest * last.direction, Kind::virtualRay});
   if (!distances.empty()) made.rows.push_back({"|QF|  rays cross", distances});
 }
 
@@ -180,7 +184,8 @@ void addRows(Construction& made, const VertexMap& map) {
     add("R  reflected", directionText(leg.direction));
   }
   if (ray.meets() && ray.status != PathStatus::inFrontOfMirror) {
-    addLength("d = |PQ|", ray.distance);
+    // The published formula measures to another point than P.
+    addLength(map.mistakes.distance ? "d  as published" : "d = |PQ|", ray.distance);
     addLength("k  depth scale", map.depthScale);
     if (map.depthOffset != 0) addLength("d₀  depth offset", map.depthOffset);
   }

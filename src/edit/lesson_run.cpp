@@ -247,6 +247,8 @@ void nextStep(Editor& editor) {
   finishPlay(editor);
   restRays(editor);
   ++run.step;
+  // Through the RT camera a click takes a pixel, and nothing turns.
+  if (editor.lookingThrough && run.open().show.widget == "3D view") toggleLookThrough(editor);
   beginStep(editor, Arrival::onward);
 }
 

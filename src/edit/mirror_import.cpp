@@ -31,11 +31,11 @@ bool isWithoutFile(Shape shape) {
 // With another file, which has not been read yet.
 void nameFile(Shape& shape, const std::string& name) {
   struct Files : SomeShapeFields {
-    explicit Files(const std::string& path) : path(path) {}
+    explicit Files(const std::string& file) : name(file) {}
     void file(const FieldName&, SurfaceFile& value) override {
-      value = {.path = path, .mesh = nullptr, .problem = {}};
+      value = {.path = name, .mesh = nullptr, .problem = {}};
     }
-    const std::string& path;
+    const std::string& name;
   } files(name);
   visitFields(shape, files);
 }

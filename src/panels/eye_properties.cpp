@@ -13,7 +13,7 @@
 namespace anamorph {
 namespace {
 
-constexpr NumberRange coordinates{limits::coordinates, 0.02, "%.2f"};
+constexpr NumberRange coordinates{limits::coordinates, 0.05, "%.2f"};
 
 // Below the eye's place: what is wrong with it.
 std::string eyeProblem(const Level& level) {

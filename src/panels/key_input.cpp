@@ -38,7 +38,7 @@ bool handleKey(int key, int modifiers, Editor& editor, UiState& ui, bool repeate
   }
   if (ui.exporting.open && modifiers == 0 && exportKey(ui.exporting, key)) return true;
   if (isMeantForNumber(key, modifiers, ui)) {
-    editor.status.say(tr("To type a number, double-click the number itself."));
+    editor.status.sayOf(editor.session.level(), tr("To type a number, double-click the number itself."));
     return true;
   }
   const ActionRow* row = findAction({key, modifiers}, ui.preferences.vrtKeys);

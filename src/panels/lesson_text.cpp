@@ -37,7 +37,7 @@ void barred(const std::string& text, const ImVec4& color, LongTexts& texts, cons
 void offerStart(Editor& editor, UiState& ui) {
   const LessonRun& run = editor.lesson;
   if (run.done || !isStartMissed(run, run.begin.level) || !isStartMissed(run, editor.session.level())) return;
-  quietText(ui, "This step is meant to begin with another level than you have now.");
+  quietText(ui, "This step begins with other settings than you have now.");
   if (ImGui::Button(tr("Set it up"))) openStep(editor, editor.lesson.step);
   tooltip("With the level that it is meant to begin with; can be undone");
 }

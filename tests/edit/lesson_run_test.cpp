@@ -393,6 +393,18 @@ TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
   EXPECT_TRUE(editor.lesson.done) << "the depth scale had been changed, though it is back";
 }
 
+TEST_F(LessonRunTest, NextLeavesTheRtCameraWhereSomethingIsToBeDoneInTheView) {
+  const std::string inView =
+      R"({"id": "b", "title": "T", "why": "W", "do": "D", "done": [{"when": "pickedVertex"}],
+                                 "show": {"widget": "3D view"}})";
+  open(step("a", R"([{"when": "lookedThrough"}])") + "," + step("between", "[]") + "," + inView);
+  toggleLookThrough(editor);
+  nextStep(editor);
+  EXPECT_TRUE(editor.lookingThrough) << "nothing speaks against it";
+  nextStep(editor);
+  EXPECT_FALSE(editor.lookingThrough) << "there a click takes a pixel, not a vertex";
+}
+
 TEST_F(LessonRunTest, AStepThatIsOnlyReadIsDoneByNext) {
   open(step("read", "[]") + "," + step("eye", R"([{"when": "movedEye"}])"));
   evaluate(editor);

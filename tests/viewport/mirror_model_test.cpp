@@ -74,7 +74,7 @@ TEST(MirrorModel, KnowsHowFarItsBorderIs) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Point corner = mesh.positions[mesh.triangles[t][i]];
         const float border = (*made.borders)[made.prepared.normalGroups->corners[t][i]];
-        EXPECT_NEAR(border, wall.borderDistance(corner), 1e-6) << corner.x << ", " << corner.z;
+        EXPECT_NEAR(border, Shape(wall)->borderDistance(corner), 1e-6) << corner.x << ", " << corner.z;
         if (corner.z > wall.height - 1e-9) {
           EXPECT_NEAR(border, 0, 1e-6);
         }
