@@ -48,8 +48,13 @@ void FieldReader::need(std::initializer_list<const char*> keys) {
 }
 
 void FieldReader::need(const std::vector<const char*>& keys) {
+  std::vector<const char*> missing;
   for (const char* key : keys) {
-    if (silent_ || find(key) || isFaulty(key) || guessed_) continue;
+    if (!silent_ && !find(key) && !isFaulty(key)) missing.push_back(key);
+  }
+  if (guessed_ && missing.size() > 1) return;  // the guess was a wrong one
+  for (const char* key : missing) {
+    find(key);  // the fault is of this one
     fault(fmt::format("expected the key {}, got an object without it", quoteJson(key)), json_, path_);
   }
 }

@@ -39,6 +39,8 @@ inline const Axes sceneAxes{Direction(1, 0, 0), Direction(0, 1, 0), Direction(0,
 struct ShapeMap {
   std::function<Point(const Point&)> point;
   Vector factors{1};
+  /// Radians below which a direction is not turned: more than what places far from the origin lose by rounding.
+  static constexpr double notTurned = 1e-9;
   double minSize = 0, maxSize = std::numeric_limits<double>::infinity();  ///< what a size is kept within
 
   double size(double length, double factor) const;

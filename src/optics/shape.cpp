@@ -6,7 +6,6 @@
 #include "base/check.h"
 #include "base/language.h"
 #include "optics/cut_mesh.h"
-#include "optics/shape_helpers.h"
 
 namespace anamorph {
 namespace {
@@ -21,7 +20,7 @@ HalfSpace mapHalfSpace(const HalfSpace& half, const ShapeMap& map) {
   const Vector inside = map.point(half.point + n) - origin;
   if (!(glm::length(normal) > 0)) return {origin, half.normal};
   const Direction turned = glm::normalize(glm::dot(normal, inside) < 0 ? -normal : normal);
-  return {origin, glm::length(turned - n) > notTurned ? glm::length(half.normal) * turned : half.normal};
+  return {origin, glm::length(turned - n) > ShapeMap::notTurned ? glm::length(half.normal) * turned : half.normal};
 }
 
 // A cut along a border leaves a line.

@@ -57,7 +57,7 @@ std::optional<std::string> findLengthProblem(const char* name, double length) {
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way) {
   const double length = glm::length(way);
   const Direction was = way / length, is = glm::normalize(map.point(at + was) - map.point(at));
-  return isFinite(is) && glm::length(is - was) > notTurned ? length * is : way;
+  return isFinite(is) && glm::length(is - was) > ShapeMap::notTurned ? length * is : way;
 }
 
 Direction around(const Direction& axis, double fraction) {

@@ -44,9 +44,6 @@ std::optional<std::string> findDistanceProblem(double distance, double size, con
 /// What is wrong with an eye at this distance from a curved surface of this size: it is on it.
 std::optional<std::string> findContactProblem(double gap, double size);
 
-/// Radians below which a direction is not turned: more than what places far from the origin lose by rounding.
-constexpr double notTurned = 1e-9;
-
 /// A direction at a point, of any length, as a map turns it: as long as before, and the very same when it is not turned.
 Vector turnedBy(const ShapeMap& map, const Point& at, const Vector& way);
 

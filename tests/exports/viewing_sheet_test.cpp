@@ -191,11 +191,11 @@ TEST(ViewingSheet, DrawsTheOutlineOfACurvedMirrorNotItsHull) {
   const struct {
     const char* level;
     double share;  // at most, of the hull
-  } mirrors[] = {{"wavy-wall", 0.3}, {"patch", 0.95}};
+  } mirrors[] = {{"wavy-box", 0.3}, {"patch-box", 0.95}};
   for (const auto& [name, share] : mirrors) {
     SCOPED_TRACE(name);
     const LevelResult finished =
-        testing::finish(loadLevel(std::string(ANAMORPH_TEST_DATA) + "/levels/" + name + ".json").level);
+        testing::finish(loadLevel(std::string(ANAMORPH_TEST_DATA) + "/optics/" + name + ".json").level);
     const Arrangement arrangement = makeArrangement(finished, 10);
     const SheetPlan plan = makeSheetPlan(arrangement);
     std::vector<Point2> points;
