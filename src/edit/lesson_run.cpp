@@ -149,6 +149,12 @@ bool holdsInView(const StepCondition& condition, const LessonFacts& begin, const
   }
 }
 
+// Whether something is to be clicked in the 3D view, where through the RT camera a click takes a pixel.
+bool needsPicking(const LessonStep& step) {
+  const auto& play = step.show.play;
+  return play && (play->vertex || play->ends || play->controlPoint);
+}
+
 // How a step was come to: by going on from the one before it, or in its own start.
 enum class Arrival { onward, afresh };
 
@@ -247,8 +253,7 @@ void nextStep(Editor& editor) {
   finishPlay(editor);
   restRays(editor);
   ++run.step;
-  // Through the RT camera a click takes a pixel, and nothing turns.
-  if (editor.lookingThrough && run.open().show.widget == "3D view") toggleLookThrough(editor);
+  if (editor.lookingThrough && needsPicking(run.open())) toggleLookThrough(editor);
   beginStep(editor, Arrival::onward);
 }
 

@@ -396,7 +396,7 @@ TEST_F(LessonRunTest, SeveralConditionsMayComeInAnyOrder) {
 TEST_F(LessonRunTest, NextLeavesTheRtCameraWhereSomethingIsToBeDoneInTheView) {
   const std::string inView =
       R"({"id": "b", "title": "T", "why": "W", "do": "D", "done": [{"when": "pickedVertex"}],
-                                 "show": {"widget": "3D view"}})";
+                                 "show": {"play": {"vertex": 3}}})";
   open(step("a", R"([{"when": "lookedThrough"}])") + "," + step("between", "[]") + "," + inView);
   toggleLookThrough(editor);
   nextStep(editor);
