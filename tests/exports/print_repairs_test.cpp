@@ -2,6 +2,8 @@
 
 #include "exports/print_repairs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -121,7 +123,7 @@ TEST(PrintRepairs, AreMadeAndSaidByAnExport) {
   Level level = loadLevel(std::string(ANAMORPH_LEVELS) + "/1-plane.json").level;
   level.original.shape = FileShape{std::string(ANAMORPH_TEST_DATA) + "/field/obj-inside-out/house.obj"};
   ExportRequest request;
-  request.path = ::testing::TempDir() + "repaired.stl";
+  request.path = ::testing::TempDir() + std::to_string(::getpid()) + "repaired.stl";
   for (const double tolerance : {0.25, 0.0}) {
     level.sculpture.tolerancePixels = tolerance;
     const LevelResult finished = testing::finish(level);

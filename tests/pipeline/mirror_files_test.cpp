@@ -1,6 +1,7 @@
 #include "pipeline/mirror_files.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -47,7 +48,7 @@ class MirrorFiles : public ::testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "mirror-files";
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("mirror-files" + std::to_string(::getpid()));
   const fs::path levelPath_ = folder_ / "level.json";
 };
 
