@@ -17,7 +17,8 @@ struct CausticPoint {
 };
 
 /// Of the rays towards `count` of the original's vertices (in scene coordinates), evenly over its list, where they come
-/// there freely and not flatter than the map takes; those that are farther from the mirror than `farthest` times as far as the sculpture are left out.
+/// there freely and not flatter than the map takes; those that are farther from the mirror than `farthest` times as far
+/// as the sculpture are left out.
 std::vector<CausticPoint> findCaustic(const VertexMap& map, const PointArray& original, std::size_t count,
                                       double farthest = 8);
 

@@ -30,8 +30,9 @@ struct Folds {
   FocusRange foci;           ///< of the folded triangles' rays
 };
 
-/// Of the triangles whose corners are all mapped; others are not folded. A cancelled run finds none. Where all that the eye sees of the optic bulges
-/// towards it there are no folds, and only some triangles are asked which way round they are.
+/// Of the triangles whose corners are all mapped; others are not folded. A cancelled run finds none. Where all that the
+/// eye sees of the optic bulges towards it there are no folds, and only some triangles are asked which way round they
+/// are.
 Folds findFolds(const VertexMap& map, const PointArray& original, const std::vector<Triangle>& triangles,
                 const std::vector<PathStatus>& status, int threads = 1, const CancelToken& token = {});
 

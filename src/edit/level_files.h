@@ -39,7 +39,8 @@ std::string levelAsText(const Level& level, const std::filesystem::path& path);
 Level withMeshInside(Level level, const Mesh& mesh);
 
 /// The level in a text, as it has to be in the file `path`, where the level `open` is. A mesh that is not there is taken
-/// to be the one of `open` that has the same name. The meshes of mirrors are not read. Throws Error for a text that is no level.
+/// to be the one of `open` that has the same name. The meshes of mirrors are not read. Throws Error for a text that is
+/// no level.
 SentLevel levelFromText(const std::string& text, const Level& open, const std::filesystem::path& path);
 
 }  // namespace anamorph

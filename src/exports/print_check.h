@@ -42,7 +42,6 @@ struct PrintCheckLimits {
 std::optional<PrintCheck> checkPrint(const Mesh& mesh, int threads = 1, const Progress& progress = {},
                                      const PrintCheckLimits& limits = {});
 
-/// What a slicer would stumble over, and what to do about it, in sentences; empty: nothing.
 /// What of the original did not come into the sculpture.
 struct LeftOut {
   LeftOut(std::size_t vertices = 0, double folded = 0)
@@ -51,6 +50,7 @@ struct LeftOut {
   double foldedShare;                                ///< as LeftOutFolds has it
 };
 
+/// What a slicer would stumble over, and what to do about it, in sentences; empty: nothing.
 std::vector<std::string> findPrintProblems(const PrintCheck& check, const LeftOut& leftOut);
 
 /// Worth knowing though it can be printed: what was put right, and walls that are thin in a few spots only.

@@ -1,5 +1,5 @@
-// What a move of a lesson's step makes of the numbers and switches of a level and of its kind of mirror: the part of it that needs no window, so that
-// `anamorph check` can foretell what the window will do.
+// What a move of a lesson's step makes of the numbers and switches of a level and of its kind of mirror: the part of it
+// that needs no window, so that `anamorph check` can foretell what the window will do.
 #pragma once
 
 #include "level/lesson.h"
